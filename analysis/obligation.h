@@ -1,0 +1,42 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "analysis/transition_system.h"
+#include "base/diagnostic.h"
+
+namespace rung {
+
+using ObligationId = Id<struct ObligationTag>;
+
+enum class Goal : std::uint8_t {
+  Invariant,  // `condition` holds at the end of every scan
+  Reach,      // `condition` holds at the end of some scan of some run
+};
+
+/// One thing to be decided. `latch` lines give several.
+///
+/// Invariant: for a property whose text is an implication (or a bounded
+/// response ...) `trigger` is its left side at a scan's end: when it can never
+/// hold, a proof is vacuous.
+struct Obligation {
+  std::string name;       // "NAME", "NAME.holds", "interlock@12"
+  std::string_view kind;  // "always", "never", "interlock", "latch", "reach",
+                          // "after", "for", "only-after", "built-in"
+  std::string text;       // the property line, or what a built-in one says
+  SourceRange where;
+  Goal goal = Goal::Invariant;
+  ExprId condition;
+  ExprId trigger;  // no value: nothing can make it vacuous
+  /// Kept from the solver: the verdict is `unknown` with this reason.
+  std::string undecided;
+  /// How the simulator re-decides it on a trace; see property.h.
+  std::uint32_t property = 0;
+  std::uint32_t part = 0;
+  bool built_in = false;
+};
+
+}  // namespace rung

@@ -1,0 +1,74 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "analysis/obligation.h"
+#include "analysis/program.h"
+#include "analysis/trace.h"
+#include "analysis/transition_system.h"
+
+namespace rung {
+
+/// A property line, parsed and checked against the program's names.
+/// The forms are those of docs/properties.md.
+struct Property {
+  enum class Form : std::uint8_t {
+    Always,  // formulas[0] at every scan end (never is its negation)
+    Never,
+    Interlock,  // formulas pairwise never together; gap_ms off time
+    Latch,      // Q set S reset R: formulas 0, 1, 2
+    Reach,
+    After,      // formulas[0], then formulas[1] within scans or ms
+    For,        // formulas[0] for ms implies formulas[1]
+    OnlyAfter,  // formulas[0] only after formulas[1]
+  };
+  Form form = Form::Always;
+  std::string name;  // given, or made from the form and the line
+  std::string text;  // the line, without //@
+  SourceRange where;
+  std::vector<std::string> formulas;  // texts, parsed again where needed
+  std::int64_t milliseconds = -1;     // gap, within, for; -1: none
+  std::int64_t scans = -1;            // within N scans; -1: none
+  bool dominant_set = false;
+  bool built_in = false;
+};
+
+/// All that the property lines of a program say.
+struct PropertySet {
+  std::vector<Property> properties;
+  std::vector<std::string> assumptions;  // formulas over inputs
+};
+
+/// Reads the annotations of `program` (and `extra`, the lines of a --props
+/// file). `input`, `output` and `scan` lines change the program's cells and
+/// scan interval; the clock caps of instances are raised as properties need.
+/// Built-in properties are appended after the written ones.
+/// Errors: unknown words or names, type errors, statements that have no
+///         engine yet: RP0xx to `sink`, all of them in one run.
+PropertySet read_properties(Program& program,
+                            const std::vector<AstAnnotation>& extra,
+                            const SourceSet& sources, DiagnosticSink& sink);
+
+/// Adds the monitors of all properties to `ts` and returns what is to be
+/// decided, in the order of the properties.
+std::vector<Obligation> make_obligations(const Program& program,
+                                         const PropertySet& properties,
+                                         TransitionSystem& ts);
+
+/// Decides obligation (property, part) on one run by executing it: the
+/// independent reading of the property, over the simulator's scans.
+struct Replay {
+  Trace trace;
+  /// Scan (from 1) at whose end an invariant's condition is first false, or a
+  /// reach obligation's condition first true; 0 when never in this run.
+  std::uint64_t decided_at = 0;
+  bool assumptions_hold = true;  // the assumptions held in every scan
+};
+Replay replay(const Program& program, const PropertySet& properties,
+              std::uint32_t property, std::uint32_t part,
+              const Stimulus& stimulus);
+
+}  // namespace rung

@@ -1,0 +1,63 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "base/source.h"
+
+namespace rung {
+
+enum class Severity : std::uint8_t { Note, Warning, Error };
+
+std::string_view to_string(Severity severity);
+
+struct Label {
+  SourceRange where;
+  std::string text;
+};
+
+/// One finding about the user's input: data, not text that is already laid
+/// out, so that every report writer reads the same record.
+///
+/// Codes: RP0xx input errors (the file is not read further than diagnostics:
+///        exit 2), RP1xx and above are lint rules.
+struct Diagnostic {
+  std::string_view code;  // "RP101": static storage, never reused
+  Severity severity = Severity::Warning;
+  SourceRange where;
+  std::string message;         // lower case, no full stop, names in `backticks`
+  std::vector<Label> labels;   // other places, each with what it has to do here
+  std::string_view rule = {};  // "double-coil"; empty for input errors
+  std::string help = {};       // a remedy, or what was proved; may be empty
+};
+
+class DiagnosticSink {
+ public:
+  virtual ~DiagnosticSink() = default;
+  virtual void report(Diagnostic diagnostic) = 0;
+};
+
+/// Keeps what is reported, in the order of arrival.
+class DiagnosticList : public DiagnosticSink {
+ public:
+  void report(Diagnostic diagnostic) override {
+    has_errors_ = has_errors_ || diagnostic.severity == Severity::Error;
+    items_.push_back(std::move(diagnostic));
+  }
+  bool has_errors() const { return has_errors_; }
+  const std::vector<Diagnostic>& items() const { return items_; }
+  std::vector<Diagnostic> take() { return std::move(items_); }
+
+ private:
+  std::vector<Diagnostic> items_;
+  bool has_errors_ = false;
+};
+
+/// Sorts by file, offset, code, message: reports never depend on the order in
+/// which rules ran.
+void sort_diagnostics(std::vector<Diagnostic>& diagnostics);
+
+}  // namespace rung

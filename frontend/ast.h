@@ -1,0 +1,105 @@
+#pragma once
+
+#include <cstdint>
+#include <string_view>
+#include <vector>
+
+#include "base/diagnostic.h"
+#include "base/source.h"
+
+namespace rung {
+
+/// What every reader produces: assignments in scan order, uninterpreted.
+/// Names, element calls and types are resolved later, by analysis/.
+///
+/// All string views point into the text of the file, which outlives the Ast.
+
+enum class AstOp : std::uint8_t {
+  Name,    // text
+  Number,  // text, as written: "20", "0.5", "1e3", "0x1F"
+  Bool,    // text: "true" or "false"
+  String,  // text, without the quotes
+  Not,
+  Negate,
+  And,
+  Or,
+  Xor,
+  Equal,
+  NotEqual,
+  Less,
+  LessEqual,
+  Greater,
+  GreaterEqual,
+  Add,
+  Subtract,
+  Multiply,
+  Divide,
+  Call,  // text is the callee's name; `arguments` operands
+};
+
+/// Expressions are stored in postorder: the operands of a node stand right
+/// before it, each as one contiguous run of nodes. So every walk is a loop over
+/// an array, and depth costs no stack.
+struct AstNode {
+  AstOp op = AstOp::Name;
+  std::uint32_t arguments = 0;  // how many operands
+  std::uint32_t size = 1;       // nodes in this subtree, itself included
+  SourceRange where;
+  std::string_view text;
+};
+
+/// A run of Ast::nodes that is one expression; its root is the last node.
+struct AstExpression {
+  std::uint32_t begin = 0;
+  std::uint32_t end = 0;
+  bool has_value() const { return begin != end; }
+  std::uint32_t root() const { return end - 1; }
+};
+
+struct AstAssignment {
+  std::string_view target;
+  SourceRange target_where;
+  AstExpression value;
+  SourceRange where;  // target to the last character of the value
+};
+
+/// A statement of the plant (the `//Sim` section), in order. If/Else/End are
+/// brackets: each If has one End and at most one Else between them.
+struct AstPlantStatement {
+  enum class Kind : std::uint8_t { Assign, If, Else, End, IgnoredCall };
+  Kind kind = Kind::Assign;
+  std::string_view target;  // of Assign; the callee's name of IgnoredCall
+  SourceRange target_where;
+  AstExpression value;  // of Assign; the condition of If
+  SourceRange where;
+};
+
+/// One property line: the text after `//@`, trimmed. Not parsed by readers.
+struct AstAnnotation {
+  std::string_view text;
+  SourceRange where;  // of `text`
+};
+
+/// Ordinary comments, for rules about commented-out logic and for suppression.
+struct AstComment {
+  std::string_view text;  // without the comment marks
+  SourceRange where;
+};
+
+/// How `&&` and `||` evaluate their right operand. Where it matters (a timer
+/// or a counter in the right operand) the two differ.
+enum class Evaluation : std::uint8_t { Strict, ShortCircuit };
+
+struct Ast {
+  FileId file;
+  std::string_view language;  // "script", "postfix", ...: static storage
+  std::string_view dialect;   // "yun", "sim", or empty: static storage
+  std::vector<AstNode> nodes;
+  std::vector<AstAssignment> rungs;     // in scan order
+  std::vector<AstAssignment> initials;  // `//Var`: values before the first scan
+  std::vector<AstPlantStatement> plant;
+  std::vector<AstAnnotation> annotations;
+  std::vector<AstComment> comments;
+};
+
+}  // namespace rung

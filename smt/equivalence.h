@@ -1,0 +1,48 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "analysis/program.h"
+#include "analysis/result.h"
+#include "smt/verify.h"
+
+namespace rung {
+
+enum class EquivalenceVerdict : std::uint8_t {
+  Equivalent,
+  Different,
+  Bounded,
+  Unknown
+};
+
+struct EquivalenceOptions {
+  Budget budget;
+  bool self_check = true;
+  /// Signal of the first program, signal of the second.
+  std::vector<std::pair<std::string, std::string>> map;
+  std::vector<std::string> assumptions;  // formulas over shared inputs
+};
+
+struct EquivalenceResult {
+  EquivalenceVerdict verdict = EquivalenceVerdict::Unknown;
+  std::vector<std::string> outputs;  // compared, names of the first program
+  std::string engine;
+  std::string reason;
+  std::optional<Certificate> certificate;
+  std::optional<Stimulus> stimulus_a;  // inputs of both are the same values
+  std::optional<Trace> trace_a;
+  std::optional<Trace> trace_b;
+  std::vector<SelfCheckFailure> failures;
+  std::string error;  // usage: nothing shared, an unknown name in the map
+};
+
+/// Are two programs the same, scan for scan from power-up, on the outputs that
+/// they share by name or by `map`, under the same inputs and dt? An input that
+/// only one side has is free.
+EquivalenceResult check_equivalence(const Program& a, const Program& b,
+                                    const EquivalenceOptions& options);
+
+}  // namespace rung
