@@ -71,4 +71,19 @@ Replay replay(const Program& program, const PropertySet& properties,
               std::uint32_t property, std::uint32_t part,
               const Stimulus& stimulus);
 
+/// The same for many obligations, executing the run once: a plant has
+/// thousands of outputs whose witnesses are one run.
+/// Limits: linear in the program and in the targets.
+struct ReplayTarget {
+  std::uint32_t property = 0;
+  std::uint32_t part = 0;
+};
+struct ReplayAll {
+  std::vector<std::uint64_t> decided_at;  // by target, as Replay::decided_at
+  bool assumptions_hold = true;
+};
+ReplayAll replay_all(const Program& program, const PropertySet& properties,
+                     const std::vector<ReplayTarget>& targets,
+                     const Stimulus& stimulus);
+
 }  // namespace rung
