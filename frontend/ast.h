@@ -90,6 +90,20 @@ struct AstComment {
 /// or a counter in the right operand) the two differ.
 enum class Evaluation : std::uint8_t { Strict, ShortCircuit };
 
+/// A cell or the state of an element that the text itself declares (postfix):
+/// there nothing is inferred from use.
+struct AstDeclaration {
+  enum class Kind : std::uint8_t { Input, Output, Memory, Element };
+  Kind kind = Kind::Memory;
+  bool word = false;      // of a cell: a word, else a bit
+  std::string_view name;  // a cell's name; an element's kind ("timer-yun")
+  std::int64_t initial = 0;
+  std::int64_t low = 0;
+  std::int64_t high = 1;
+  std::int64_t index = 0;  // of an element: the 0 of T(0)
+  SourceRange where;
+};
+
 struct Ast {
   FileId file;
   std::string_view language;  // "script", "postfix", ...: static storage
@@ -100,6 +114,12 @@ struct Ast {
   std::vector<AstPlantStatement> plant;
   std::vector<AstAnnotation> annotations;
   std::vector<AstComment> comments;
+
+  // What only a text says that declares everything (postfix).
+  std::vector<AstDeclaration> declarations;
+  Evaluation evaluation = Evaluation::Strict;
+  std::int64_t scan_min_ms = 1;
+  std::int64_t scan_max_ms = 100;
 };
 
 }  // namespace rung
