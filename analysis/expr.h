@@ -94,6 +94,7 @@ class ExprArena {
 
  private:
   ExprId intern(Expr expr);
+  ExprId bit_ite(ExprId condition, ExprId then, ExprId otherwise);
   void grow();
 
   std::vector<Expr> exprs_;

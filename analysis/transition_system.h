@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "analysis/expr.h"
+#include "analysis/formula.h"
 #include "analysis/program.h"
 
 namespace rung {
@@ -98,17 +99,23 @@ struct TransitionSystem {
 /// Limits: linear in the program.
 TransitionSystem build_transition_system(const Program& program);
 
-/// A step text of an element, or any formula, as a term: names are looked up
-/// by `resolve`, which returns no value for an unknown name.
+/// Gives the names of a formula their terms.
 class NameResolver {
  public:
   virtual ~NameResolver() = default;
   virtual ExprId resolve(std::string_view name) = 0;
 };
-/// Errors: a formula that does not parse, an unknown name or a type error are
-///         broken contracts here (assert): element tables are ours.
-ExprId compile_formula(ExprArena& exprs, std::string_view text,
+
+/// A formula without calls as a term.
+/// Preconditions: it parsed, `names` knows every name, and its types are right:
+/// element tables are ours, properties are checked when they are read.
+ExprId compile_formula(ExprArena& exprs, const Formula& formula,
                        NameResolver& names);
+
+/// One operator of a formula (no name, literal or call) over its operands'
+/// terms, in order.
+ExprId apply_operator(ExprArena& exprs, const FormulaNode& node,
+                      const ExprId* operands);
 
 /// The state variables and inputs that `roots` depend on, through any number
 /// of scans, with the constraints' inputs. Flags by VarId index.

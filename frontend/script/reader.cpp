@@ -4,7 +4,9 @@ namespace rung {
 
 Ast read_script(const SourceSet&, FileId file, std::string_view,
                 DiagnosticSink&) {
-  return {.file = file};
+  Ast ast;
+  ast.file = file;
+  return ast;
 }
 
 }  // namespace rung
