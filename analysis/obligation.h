@@ -33,6 +33,11 @@ struct Obligation {
   ExprId trigger;  // no value: nothing can make it vacuous
   /// Kept from the solver: the verdict is `unknown` with this reason.
   std::string undecided;
+  /// A proof is a proof, but a violation says nothing and replay() does not
+  /// decide it: `condition` is stronger than the property. The verdict is then
+  /// `unknown` with this reason. (`releasable` by one scan: where no single
+  /// choice of inputs releases, a longer run still may.)
+  std::string only_provable;
   /// How the simulator re-decides it on a trace; see property.h.
   std::uint32_t property = 0;
   std::uint32_t part = 0;

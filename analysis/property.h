@@ -25,6 +25,7 @@ struct Property {
     For,        // formulas[0] for ms implies formulas[1]
     OnlyAfter,  // formulas[0] only after formulas[1]
   };
+  // Built-in properties are of the form Reach.
   Form form = Form::Always;
   std::string name;  // given, or made from the form and the line
   std::string text;  // the line, without //@
@@ -36,10 +37,19 @@ struct Property {
   bool built_in = false;
 };
 
+/// `//@ expect NAME VERDICT`: what a test of the file wants to be told. It
+/// changes nothing in what is checked.
+struct Expectation {
+  std::string obligation;  // "NAME", "NAME.holds", "builtin.Q0.settable"
+  std::string verdict;     // as to_string(Verdict)
+  SourceRange where;
+};
+
 /// All that the property lines of a program say.
 struct PropertySet {
   std::vector<Property> properties;
   std::vector<std::string> assumptions;  // formulas over inputs
+  std::vector<Expectation> expectations;
 };
 
 /// Reads the annotations of `program` (and `extra`, the lines of a --props

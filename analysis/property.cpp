@@ -1,0 +1,258 @@
+#include "analysis/property.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <limits>
+#include <unordered_map>
+#include <unordered_set>
+#include <utility>
+
+#include "analysis/property_builtin.h"
+#include "analysis/property_check.h"
+#include "analysis/property_line.h"
+#include "base/text.h"
+
+namespace rung {
+namespace {
+
+class PropertyReader {
+ public:
+  PropertyReader(Program& program, const SourceSet& sources,
+                 DiagnosticSink& sink)
+      : program_(program),
+        sources_(sources),
+        sink_(sink),
+        names_(program),
+        checker_(program, names_, sink),
+        written_(program.cells.size(), false) {
+    for (const Rung& rung : program.rungs) written_[rung.target.index()] = true;
+  }
+
+  PropertySet read(const std::vector<AstAnnotation>& extra) {
+    parse(program_.annotations);
+    parse(extra);
+    // Declarations first: the types and roles of all other lines rest on them.
+    for (const Statement& statement : statements_) declare(statement);
+    for (const Statement& statement : statements_) add(statement);
+    for (Property& property : builtin_properties(program_)) {
+      take_names(property);
+      set_.properties.push_back(std::move(property));
+    }
+    for (const Statement& statement : statements_) expect(statement);
+    return std::move(set_);
+  }
+
+ private:
+  void fail(std::string_view code, SourceRange where, std::string message,
+            std::vector<Label> labels = {}) {
+    sink_.report({.code = code,
+                  .severity = Severity::Error,
+                  .where = where,
+                  .message = std::move(message),
+                  .labels = std::move(labels)});
+  }
+
+  void parse(const std::vector<AstAnnotation>& annotations) {
+    for (const AstAnnotation& annotation : annotations) {
+      auto statement =
+          parse_statement({annotation.text, annotation.where}, sink_);
+      if (statement) statements_.push_back(std::move(*statement));
+    }
+  }
+
+  void declare(const Statement& statement) {
+    switch (statement.kind) {
+      case Statement::Kind::Input:
+        return declare_input(statement);
+      case Statement::Kind::Output:
+        return declare_output(statement);
+      case Statement::Kind::Scan:
+        program_.scan = {.min_ms = statement.low, .max_ms = statement.high};
+        return;
+      case Statement::Kind::Property:
+      case Statement::Kind::Assume:
+      case Statement::Kind::Expect:
+      case Statement::Kind::Ignored:
+        return;
+    }
+  }
+
+  CellId find(const Slice& name) {
+    const PropertyName found = names_.find(name.text);
+    if (found.kind == PropertyName::Kind::Cell) return found.cell;
+    fail("RP062", name.where,
+         "the program has no `" + std::string(name.text) + "`" +
+             names_.suggestion(name.text));
+    return {};
+  }
+
+  void declare_input(const Statement& statement) {
+    const CellId id = find(statement.subject);
+    if (!id.has_value()) return;
+    Cell& cell = program_.cells[id];
+    if (written_[id.index()]) {
+      return fail("RP067", statement.subject.where,
+                  "`" + cell.name + "` is no input: a rung assigns it",
+                  {{cell.where, "first used here"}});
+    }
+    cell.role = CellRole::Input;
+    cell.declared = true;
+    if (statement.has_range) set_range(statement, cell);
+  }
+
+  void set_range(const Statement& statement, Cell& cell) {
+    using Limits = std::numeric_limits<std::int16_t>;
+    using WideLimits = std::numeric_limits<std::int32_t>;
+    if (cell.type == Type::Bit) {
+      return fail("RP067", statement.line.where,
+                  "`" + cell.name + "` is a bit and has no range");
+    }
+    const bool wide = program_.dialect == "sim";
+    const std::int64_t low = wide ? WideLimits::min() : Limits::min();
+    const std::int64_t high = wide ? WideLimits::max() : Limits::max();
+    if (statement.low < low || statement.high > high) {
+      return fail("RP065", statement.line.where,
+                  "the range leaves " + std::to_string(low) + ".." +
+                      std::to_string(high) + ", the range of a word");
+    }
+    cell.low = statement.low;
+    cell.high = statement.high;
+    cell.initial = std::clamp(cell.initial, cell.low, cell.high);
+  }
+
+  void declare_output(const Statement& statement) {
+    const CellId id = find(statement.subject);
+    if (!id.has_value()) return;
+    Cell& cell = program_.cells[id];
+    if (!written_[id.index()]) {
+      return fail("RP067", statement.subject.where,
+                  "`" + cell.name + "` is no output: no rung assigns it",
+                  {{cell.where, "first used here"}});
+    }
+    cell.role = CellRole::Output;
+    cell.declared = true;
+  }
+
+  void add(const Statement& statement) {
+    const bool assumption = statement.kind == Statement::Kind::Assume;
+    if (!assumption && statement.kind != Statement::Kind::Property) return;
+    bool good = true;
+    for (const Slice& formula : statement.formulas) {
+      if (formula.empty()) continue;  // the time of a pattern
+      good = (assumption ? checker_.check_assumption(formula)
+                         : checker_.check(formula)) &&
+             good;
+    }
+    if (!good) return;
+    if (assumption) {
+      set_.assumptions.emplace_back(statement.formulas[0].text);
+      return;
+    }
+    Property property = statement.property;
+    property.text = statement.line.text;
+    property.where = statement.line.where;
+    property.formulas = formulas_of(statement);
+    // A pattern's `begin(%1)` has rules of its own.
+    for (const std::string& formula : property.formulas) {
+      if (statement.templates.empty()) break;
+      if (!checker_.check({formula, statement.line.where})) return;
+    }
+    name(statement, property);
+    set_.properties.push_back(std::move(property));
+  }
+
+  static std::vector<std::string> formulas_of(const Statement& statement) {
+    std::vector<std::string> result;
+    if (statement.templates.empty()) {
+      for (const Slice& slice : statement.formulas) {
+        result.emplace_back(slice.text);
+      }
+      return result;
+    }
+    for (const std::string& text : statement.templates) {
+      std::string made;
+      for (std::size_t i = 0; i < text.size(); ++i) {
+        if (text[i] != '%') {
+          made += text[i];
+          continue;
+        }
+        ++i;
+        made += statement.formulas[static_cast<std::size_t>(text[i] - '1')].text;
+      }
+      result.push_back(std::move(made));
+    }
+    return result;
+  }
+
+  void name(const Statement& statement, Property& property) {
+    if (!statement.name.empty()) {
+      property.name = statement.name.text;
+    } else {
+      const LineColumn at = sources_[property.where.file].position(
+          property.where.begin);
+      property.name = std::string(to_string(property.form)) + "@" +
+                      std::to_string(at.line);
+      // A --props file has a line of that number too.
+      const std::string base = property.name;
+      for (int n = 2; names_taken_.count(property.name) != 0; ++n) {
+        property.name = base + "#" + std::to_string(n);
+      }
+    }
+    take_names(property);
+  }
+
+  /// The names of all obligations of `property`; each only once.
+  void take_names(const Property& property) {
+    std::vector<std::string> names = {property.name};
+    if (property.form == Property::Form::Latch) {
+      for (const std::string_view part : kLatchParts) {
+        names.push_back(property.name + "." + std::string(part));
+      }
+    }
+    for (std::string& taken : names) {
+      const auto [entry, is_new] =
+          names_taken_.emplace(std::move(taken), property.where);
+      if (is_new) continue;
+      fail("RP066", property.where,
+           "a second property is called `" + entry->first + "`",
+           {{entry->second, "the first one"}});
+      return;
+    }
+  }
+
+  void expect(const Statement& statement) {
+    if (statement.kind != Statement::Kind::Expect) return;
+    std::string name(statement.subject.text);
+    if (names_taken_.count(name) == 0) {
+      std::vector<std::string_view> known;
+      for (const auto& [taken, where] : names_taken_) known.push_back(taken);
+      std::sort(known.begin(), known.end());
+      return fail("RP062", statement.subject.where,
+                  "no property is called `" + name + "`" +
+                      did_you_mean(name, known));
+    }
+    set_.expectations.push_back({.obligation = std::move(name),
+                                 .verdict = std::string(statement.verdict.text),
+                                 .where = statement.line.where});
+  }
+
+  Program& program_;
+  const SourceSet& sources_;
+  DiagnosticSink& sink_;
+  PropertyNames names_;
+  FormulaChecker checker_;
+  std::vector<bool> written_;  // by CellId: a rung assigns it
+  std::vector<Statement> statements_;
+  std::unordered_map<std::string, SourceRange> names_taken_;
+  PropertySet set_;
+};
+
+}  // namespace
+
+PropertySet read_properties(Program& program,
+                            const std::vector<AstAnnotation>& extra,
+                            const SourceSet& sources, DiagnosticSink& sink) {
+  return PropertyReader(program, sources, sink).read(extra);
+}
+
+}  // namespace rung

@@ -1,0 +1,16 @@
+#pragma once
+
+#include <vector>
+
+#include "analysis/program.h"
+#include "analysis/property.h"
+
+namespace rung {
+
+/// What every program is asked without a line about it: each rung that latches
+/// itself can be set and released, each output can become true and false, each
+/// timer and counter can fire.
+/// Limits: linear in the program.
+std::vector<Property> builtin_properties(const Program& program);
+
+}  // namespace rung
