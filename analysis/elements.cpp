@@ -7,8 +7,9 @@ namespace {
 
 using enum ParameterKind;
 
-// Elapsed times count from the call that started them; `now` advances between
-// scans only, so all calls of a scan read the same clock.
+// Elapsed times count from the call that started them and are 0 while nothing
+// is timed; `now` advances between scans only, so all calls of a scan read the
+// same clock.
 
 // --- timer, yun dialect ------------------------------------------------------
 
@@ -24,7 +25,8 @@ constexpr std::array<ElementUpdate, 2> kTimerYunStart = {{
     {"elapsed", "v && !started ? 0 : elapsed"},
     {"started", "started || v"},
 }};
-constexpr std::array<ElementUpdate, 1> kTimerYunReset = {{
+constexpr std::array<ElementUpdate, 2> kTimerYunReset = {{
+    {"elapsed", "v ? 0 : elapsed"},
     {"started", "started && !v"},
 }};
 constexpr std::array<ElementOperation, 2> kTimerYunOperations = {{
@@ -46,9 +48,7 @@ constexpr std::array<ElementOperation, 2> kTimerYunOperations = {{
 
 constexpr std::array<ElementState, 2> kTimerSimStates = {{
     {.name = "started", .type = StateType::Bit},
-    // t0 is undefined before the first call, and every call that finds it so
-    // sets it; so it may run from the start.
-    {.name = "elapsed", .type = StateType::Clock, .running = "true"},
+    {.name = "elapsed", .type = StateType::Clock, .running = "started"},
 }};
 constexpr std::array<ElementUpdate, 2> kTimerSimStep = {{
     {"elapsed", "v && started ? elapsed : 0"},
@@ -67,10 +67,11 @@ constexpr std::array<ElementState, 3> kOffDelayStates = {{
     {.name = "out", .type = StateType::Bit},
     {.name = "elapsed", .type = StateType::Clock, .running = "out && !armed"},
 }};
-constexpr std::array<ElementUpdate, 3> kOffDelayStep = {{
+constexpr std::array<ElementUpdate, 4> kOffDelayStep = {{
     {"elapsed", "!v && armed ? 0 : elapsed"},
     {"armed", "v"},
     {"out", "v || out && elapsed' < p"},
+    {"elapsed", "out' && !armed' ? elapsed' : 0"},
 }};
 constexpr std::array<ElementOperation, 1> kOffDelayOperations = {{
     {.name = "TOF",

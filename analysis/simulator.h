@@ -36,8 +36,9 @@ class Simulator {
 
   std::int64_t value(CellId cell) const;
 
-  /// Observations for properties: elapsed ms of a timer (unsaturated), value
-  /// of a counter, done bit as T(0).q means it.
+  /// Observations for properties: elapsed ms of a timer (unsaturated; 0 while
+  /// it is not timing: a T that is not started, a TOF that is armed or out),
+  /// value of a counter, done bit as T(0).q means it (docs/elements.md).
   std::int64_t elapsed(InstanceId instance) const;
   std::int64_t count(InstanceId instance) const;
   bool done(InstanceId instance) const;

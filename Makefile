@@ -1,0 +1,29 @@
+# The two commands of README.md and those around them. CMake does the work:
+# `cmake --preset dev` and the other presets serve for daily development.
+
+RUNGPROOF := build/release/rungproof
+
+.PHONY: all demo test install deb clean
+
+all: $(RUNGPROOF)
+
+.PHONY: $(RUNGPROOF)
+$(RUNGPROOF):
+	scripts/deps
+	cmake --preset release
+	cmake --build --preset release
+
+demo: all
+	scripts/demo $(RUNGPROOF)
+
+test: all
+	ctest --preset release
+
+install: all
+	cmake --install build/release
+
+deb: all
+	cd build/release && cpack -G DEB
+
+clean:
+	rm -rf build
