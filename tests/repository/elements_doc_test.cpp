@@ -52,8 +52,9 @@ void describe(const ElementKind& kind, std::string& out) {
     out += "\n`" + std::string(operation.name) + "(" + operand_list(operation) +
            ")`, step:\n\n```\n";
     for (const ElementUpdate& update : operation.updates) {
-      out +=
-          std::string(update.state) + "' = " + std::string(update.value) + "\n";
+      out += std::string(update.state);
+      out += is_state(kind, update.state) ? "' = " : " = ";
+      out += std::string(update.value) + "\n";
     }
     out += "result = " + std::string(operation.result) + "\n```\n";
   }
