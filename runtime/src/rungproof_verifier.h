@@ -1,0 +1,68 @@
+// Decides whether a program may be run. Internal to the machine.
+#ifndef RUNGPROOF_VERIFIER_H
+#define RUNGPROOF_VERIFIER_H
+
+#include "rungproof_machine.h"
+
+namespace rungproof {
+
+/// The header's counts and section starts, without any check.
+Layout read_layout(const uint8_t* program);
+
+/// How much memory verifying and running take.
+uint32_t words_needed(const Layout& layout);
+
+class Verifier {
+ public:
+  /// `memory` holds two words for each skip that is open at a time.
+  Verifier(const uint8_t* program, uint32_t length, uint32_t* memory,
+           uint32_t memory_words);
+  Refusal verify();
+  uint32_t at() const { return at_; }
+
+ private:
+  // All give kNone where nothing is wrong.
+  Refusal check_header();
+  Refusal check_sections();
+  Refusal check_cells();
+  Refusal check_slots();
+  Refusal check_names();
+  Refusal check_notes();
+  Refusal check_code();
+
+  Refusal close_skips();
+  Refusal instruction();
+  Refusal address_instruction(uint8_t opcode, uint32_t address);
+  Refusal element(uint8_t opcode, uint32_t slot);
+  Refusal bit_instruction(uint8_t opcode);
+  Refusal word_instruction(uint8_t opcode);
+  Refusal push(uint8_t opcode);
+  Refusal skip();
+  Refusal write(uint32_t cell, bool word);
+  Refusal end();
+  Refusal effect(uint8_t bits_in, uint8_t words_in, uint8_t bits_out,
+                 uint8_t words_out);
+  uint32_t checksum() const;
+  bool has(uint32_t bytes) const { return layout_.names - pc_ >= bytes; }
+
+  const uint8_t* program_;
+  uint32_t length_;
+  uint32_t* pending_;
+  uint32_t memory_words_;
+  Layout layout_;
+  uint32_t at_;
+  // The walk over the code: both stacks' depths at pc_, on every path.
+  uint32_t pc_;
+  uint32_t bits_;
+  uint32_t words_;
+  uint32_t open_;  // skips whose target lies ahead
+  uint32_t most_bits_;
+  uint32_t most_words_;
+  uint32_t most_open_;
+  int32_t constant_;  // the word that the instruction before pushed, or 0
+  bool ended_;
+};
+
+}  // namespace rungproof
+
+#endif
