@@ -4,7 +4,6 @@
 #include <cstddef>
 #include <limits>
 #include <unordered_map>
-#include <unordered_set>
 #include <utility>
 
 #include "analysis/property_builtin.h"
@@ -155,7 +154,7 @@ class PropertyReader {
     // A pattern's `begin(%1)` has rules of its own.
     for (const std::string& formula : property.formulas) {
       if (statement.templates.empty()) break;
-      if (!checker_.check({formula, statement.line.where})) return;
+      if (!checker_.check_made(formula, statement.line.where)) return;
     }
     name(statement, property);
     set_.properties.push_back(std::move(property));
@@ -177,7 +176,8 @@ class PropertyReader {
           continue;
         }
         ++i;
-        made += statement.formulas[static_cast<std::size_t>(text[i] - '1')].text;
+        made +=
+            statement.formulas[static_cast<std::size_t>(text[i] - '1')].text;
       }
       result.push_back(std::move(made));
     }
@@ -188,10 +188,10 @@ class PropertyReader {
     if (!statement.name.empty()) {
       property.name = statement.name.text;
     } else {
-      const LineColumn at = sources_[property.where.file].position(
-          property.where.begin);
-      property.name = std::string(to_string(property.form)) + "@" +
-                      std::to_string(at.line);
+      const LineColumn at =
+          sources_[property.where.file].position(property.where.begin);
+      property.name =
+          std::string(to_string(property.form)) + "@" + std::to_string(at.line);
       // A --props file has a line of that number too.
       const std::string base = property.name;
       for (int n = 2; names_taken_.count(property.name) != 0; ++n) {
@@ -227,9 +227,9 @@ class PropertyReader {
       std::vector<std::string_view> known;
       for (const auto& [taken, where] : names_taken_) known.push_back(taken);
       std::sort(known.begin(), known.end());
-      return fail("RP062", statement.subject.where,
-                  "no property is called `" + name + "`" +
-                      did_you_mean(name, known));
+      return fail(
+          "RP062", statement.subject.where,
+          "no property is called `" + name + "`" + did_you_mean(name, known));
     }
     set_.expectations.push_back({.obligation = std::move(name),
                                  .verdict = std::string(statement.verdict.text),

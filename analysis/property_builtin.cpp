@@ -37,9 +37,8 @@ class LatchFinder {
                 .falling = nodes_[node.a].rising};
       case NodeOp::And:
       case NodeOp::Or:
-        return {
-            .rising = nodes_[node.a].rising || nodes_[node.b].rising,
-            .falling = nodes_[node.a].falling || nodes_[node.b].falling};
+        return {.rising = nodes_[node.a].rising || nodes_[node.b].rising,
+                .falling = nodes_[node.a].falling || nodes_[node.b].falling};
       default:
         return {};
     }

@@ -74,6 +74,8 @@ PropertyName PropertyNames::find(std::string_view name) const {
 }
 
 std::string PropertyNames::suggestion(std::string_view name) const {
+  constexpr int kMaxSuggestions = 50;
+  if (++suggestions_ > kMaxSuggestions) return {};
   std::vector<std::string> members;
   for (const Instance& instance : program_.instances) {
     const ElementKind& kind = *instance.kind;
@@ -97,10 +99,7 @@ bool FormulaChecker::check(const Slice& formula, bool inputs_only) {
   if (!formula_.has_value()) {
     Slice at = formula.part(formula_.error_at);
     if (at.text.size() > 1) at = at.part(0, 1);
-    sink_.report({.code = "RP061",
-                  .severity = Severity::Error,
-                  .where = at.where,
-                  .message = formula_.error});
+    report("RP061", at.where, formula_.error);
     return false;
   }
   values_.assign(formula_.nodes.size(), {});
@@ -116,9 +115,14 @@ void FormulaChecker::fail(std::string_view code, const FormulaNode& node,
                           std::string message) {
   if (failed_) return;
   failed_ = true;
+  report(code, slice_.part(node.begin, node.end).where, std::move(message));
+}
+
+void FormulaChecker::report(std::string_view code, SourceRange where,
+                            std::string message) {
   sink_.report({.code = code,
                 .severity = Severity::Error,
-                .where = slice_.part(node.begin, node.end).where,
+                .where = made_where_.has_value() ? made_where_ : where,
                 .message = std::move(message)});
 }
 
@@ -242,8 +246,7 @@ FormulaChecker::Value FormulaChecker::call(const FormulaNode& node) {
   result.history = text == "once" ? 0 : value(0).history + function->history;
   if (result.history > kMaxHistory) {
     fail("RP069", node,
-         "this looks back more than " + std::to_string(kMaxHistory) +
-             " scans");
+         "this looks back more than " + std::to_string(kMaxHistory) + " scans");
   }
   return result;
 }
@@ -269,21 +272,24 @@ void FormulaChecker::observe(const Value& observed, const Value& other,
   if (!observed.observed) return;
   const std::string text(node.text);
   if (!other.constant) {
-    return fail("RP069", node, "`" + text +
-                                   "` can only be compared with a number");
+    return fail("RP069", node,
+                "`" + text + "` can only be compared with a number");
   }
   Instance& instance = program_.instances[observed.instance];
   const std::int64_t number = other.low;
   if (instance.kind->family == ElementFamily::Timer) {
     if (number >= kMaxClock) {
-      return fail("RP069", node, "`" + text + "` is compared with more than a "
-                                              "year");
+      return fail("RP069", node,
+                  "`" + text +
+                      "` is compared with more than a "
+                      "year");
     }
     instance.clock_cap = std::max(instance.clock_cap, number + 1);
   } else if (number <= std::numeric_limits<std::int16_t>::min()) {
     fail("RP069", node,
-         "`" + text + "` is compared with -32768 or less: so far down the "
-         "count is not followed");
+         "`" + text +
+             "` is compared with -32768 or less: so far down the "
+             "count is not followed");
   }
 }
 

@@ -35,13 +35,14 @@ class PropertyNames {
   explicit PropertyNames(const Program& program);
 
   PropertyName find(std::string_view name) const;
-  /// ` (did you mean ...?)`
+  /// ` (did you mean ...?)`; of the first few names only: it reads all names.
   std::string suggestion(std::string_view name) const;
 
  private:
   const Program& program_;
   std::unordered_map<std::string_view, CellId> cells_;
   std::unordered_map<std::string_view, InstanceId> instances_;
+  mutable int suggestions_ = 0;
 };
 
 /// Checks that a formula of a property is one: syntax, names, types.
@@ -59,14 +60,23 @@ class FormulaChecker {
   /// The same for `assume`, where only inputs may stand.
   bool check_assumption(const Slice& formula) { return check(formula, true); }
 
+  /// The same for a formula that no text of the user is: messages point at
+  /// all of `where`.
+  bool check_made(std::string_view formula, SourceRange where) {
+    made_where_ = where;
+    const bool good = check({formula, {}}, false);
+    made_where_ = {};
+    return good;
+  }
+
  private:
   struct Value {
     Type type = Type::Bit;
     bool constant = false;
-    bool observed = false;       // T(0).elapsed: may only be compared
-    bool only_cells = true;      // no element, no call in it
-    std::uint32_t history = 0;   // scans that it looks back
-    InstanceId instance;         // of an observed value
+    bool observed = false;      // T(0).elapsed: may only be compared
+    bool only_cells = true;     // no element, no call in it
+    std::uint32_t history = 0;  // scans that it looks back
+    InstanceId instance;        // of an observed value
     std::int64_t low = 0;
     std::int64_t high = 1;
   };
@@ -84,9 +94,12 @@ class FormulaChecker {
   void need_no_observation(std::uint32_t operand);
   void fail(std::string_view code, const FormulaNode& node,
             std::string message);
+  void report(std::string_view code, SourceRange where, std::string message);
 
   /// Operands of the node at hand: positions in formula_.nodes.
-  std::uint32_t operand(std::uint32_t number) const { return operands_[number]; }
+  std::uint32_t operand(std::uint32_t number) const {
+    return operands_[number];
+  }
   const Value& value(std::uint32_t number) const {
     return values_[operand(number)];
   }
@@ -95,6 +108,7 @@ class FormulaChecker {
   const PropertyNames& names_;
   DiagnosticSink& sink_;
   Slice slice_;
+  SourceRange made_where_;
   Formula formula_;
   bool inputs_only_ = false;
   bool failed_ = false;

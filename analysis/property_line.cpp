@@ -191,10 +191,16 @@ constexpr std::array<Pattern, 10> kPatterns = {{
     {"pattern-implication", Property::Form::Always, 2, "(%1) -> (%2)", {}},
     {"pattern-invariant", Property::Form::Always, 1, "%1", {}},
     {"pattern-forbidden", Property::Form::Never, 1, "%1", {}},
-    {"pattern-statechange-duringcycle", Property::Form::Always, 2,
-     "begin(%1) -> (%2)", {}},
-    {"pattern-statechange-betweencycles", Property::Form::Always, 3,
-     "prev(%1) && (%2) -> (%3)", {}},
+    {"pattern-statechange-duringcycle",
+     Property::Form::Always,
+     2,
+     "begin(%1) -> (%2)",
+     {}},
+    {"pattern-statechange-betweencycles",
+     Property::Form::Always,
+     3,
+     "prev(%1) && (%2) -> (%3)",
+     {}},
     {"pattern-reachability", Property::Form::Reach, 1, "%1", {}},
     {"pattern-leadsto", Property::Form::OnlyAfter, 2, "%1", "%2"},
     {"pattern-leadsto-trigger", Property::Form::OnlyAfter, 3, "%1",
@@ -282,8 +288,9 @@ void LineParser::read_interlock(const Slice& rest) {
 void LineParser::read_latch(const Slice& rest) {
   statement_.property.form = Property::Form::Latch;
   const std::size_t set = find_word(rest.text, "set");
-  if (set == kNowhere) return fail(after(rest), "`set` is missing: " +
-                                   std::string("`latch Q set S reset R`"));
+  if (set == kNowhere)
+    return fail(after(rest),
+                "`set` is missing: " + std::string("`latch Q set S reset R`"));
   const Slice tail = rest.part(set + 3);
   const std::size_t reset = find_word(tail.text, "reset");
   if (reset == kNowhere) {
@@ -308,13 +315,13 @@ void LineParser::read_after(const Slice& rest) {
   statement_.property.form = Property::Form::After;
   const std::size_t within = find_last_word(rest.text, "within");
   if (within == kNowhere) {
-    return fail(after(rest),
-                "`within` is missing: `after P, Q within 500 ms`");
+    return fail(after(rest), "`within` is missing: `after P, Q within 500 ms`");
   }
   time(rest.part(within + 6), true);
   const std::vector<Slice> parts = split(rest.part(0, within), ',');
   if (parts.size() != 2) {
-    return fail(rest, "`after` has two expressions: `after P, Q within 3 scans`");
+    return fail(rest,
+                "`after` has two expressions: `after P, Q within 3 scans`");
   }
   for (const Slice& part : parts) formula(part);
 }
@@ -445,14 +452,14 @@ bool LineParser::range(const Slice& text, std::string_view unit) {
   }
   const std::size_t dots = numbers.text.find("..");
   const auto low = whole(numbers.part(0, dots));
-  const auto high =
-      dots == kNowhere ? low : whole(numbers.part(dots + 2));
+  const auto high = dots == kNowhere ? low : whole(numbers.part(dots + 2));
   if (!low || !high) return false;
   statement_.low = *low;
   statement_.high = *high;
   if (*low <= *high) return true;
-  fail("RP065", numbers, "the range is empty: " + std::to_string(*low) +
-                             " is above " + std::to_string(*high));
+  fail("RP065", numbers,
+       "the range is empty: " + std::to_string(*low) + " is above " +
+           std::to_string(*high));
   return false;
 }
 
@@ -495,8 +502,8 @@ void LineParser::time(const Slice& text, bool scans_allowed) {
     value += step * (c - '0');
   }
   if (value > (scans ? kMaxScans : kMaxTime)) {
-    return fail("RP065", text, scans ? "more than 1000000 scans"
-                                     : "more than a year");
+    return fail("RP065", text,
+                scans ? "more than 1000000 scans" : "more than a year");
   }
   (scans ? statement_.property.scans : statement_.property.milliseconds) =
       value;

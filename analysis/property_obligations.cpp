@@ -1,0 +1,256 @@
+#include <algorithm>
+#include <string>
+#include <utility>
+
+#include "analysis/property.h"
+#include "analysis/property_line.h"
+#include "analysis/property_release.h"
+#include "analysis/property_terms.h"
+
+namespace rung {
+namespace {
+
+/// Lowers properties to conditions at scan ends, with monitors in the
+/// transition system for what a condition has to remember.
+class ObligationMaker {
+ public:
+  ObligationMaker(const Program& program, const PropertySet& properties,
+                  TransitionSystem& ts)
+      : properties_(properties), ts_(ts), terms_(program, ts) {}
+
+  std::vector<Obligation> make() {
+    for (const std::string& assumption : properties_.assumptions) {
+      ts_.constraints.push_back(terms_.term(assumption));
+    }
+    for (; at_ < properties_.properties.size(); ++at_) lower();
+    return std::move(obligations_);
+  }
+
+ private:
+  const Property& property() const { return properties_.properties[at_]; }
+  ExprArena& exprs() { return ts_.exprs; }
+  ExprId formula(std::size_t number) {
+    return terms_.term(property().formulas[number]);
+  }
+  std::string monitor(std::string_view what) const {
+    return property().name + "." + std::string(what);
+  }
+
+  Obligation& add(Goal goal, ExprId condition, ExprId trigger = {}) {
+    Obligation obligation;
+    obligation.name = property().name;
+    obligation.kind =
+        property().built_in ? "built-in" : to_string(property().form);
+    obligation.text = property().text;
+    obligation.where = property().where;
+    obligation.goal = goal;
+    obligation.condition = condition;
+    obligation.trigger = trigger;
+    obligation.property = static_cast<std::uint32_t>(at_);
+    obligation.built_in = property().built_in;
+    obligations_.push_back(std::move(obligation));
+    return obligations_.back();
+  }
+
+  void lower() {
+    switch (property().form) {
+      case Property::Form::Always:
+        add(Goal::Invariant, formula(0),
+            terms_.left_side(property().formulas[0]));
+        return;
+      case Property::Form::Never:
+        add(Goal::Invariant, exprs().negation(formula(0)));
+        return;
+      case Property::Form::Reach:
+        add(Goal::Reach, formula(0));
+        return;
+      case Property::Form::Interlock:
+        return interlock();
+      case Property::Form::Latch:
+        return latch();
+      case Property::Form::After:
+        return property().scans >= 0 ? within_scans() : within_time();
+      case Property::Form::For:
+        return held();
+      case Property::Form::OnlyAfter:
+        return only_after();
+    }
+  }
+
+  /// Each pair, in linear size: with every signal, none of those before it.
+  void interlock() {
+    std::vector<ExprId> signals;
+    for (std::size_t i = 0; i < property().formulas.size(); ++i) {
+      signals.push_back(formula(i));
+    }
+    ExprId condition = exprs().bit(true);
+    ExprId any = exprs().bit(false);
+    for (const ExprId signal : signals) {
+      const ExprId both = exprs().conjunction(any, signal);
+      condition = exprs().conjunction(condition, exprs().negation(both));
+      any = exprs().disjunction(any, signal);
+    }
+    if (property().milliseconds > 0) {
+      condition = exprs().conjunction(condition, off_time(signals));
+    }
+    add(Goal::Invariant, condition);
+  }
+
+  /// Where a signal is true, every other one has been false for the gap.
+  ExprId off_time(const std::vector<ExprId>& signals) {
+    const std::int64_t gap = property().milliseconds;
+    std::vector<ExprId> long_off;
+    for (std::size_t i = 0; i < signals.size(); ++i) {
+      const std::uint32_t clock = ts_.add_clock(
+          monitor("off" + std::to_string(i + 1)), signals[i], gap);
+      ts_.states[clock].init = gap;  // never true yet
+      long_off.push_back(
+          exprs().less_equal(exprs().word(gap), ts_.states[clock].next));
+    }
+    // rest[i]: all after signal i.
+    std::vector<ExprId> rest(signals.size(), exprs().bit(true));
+    for (std::size_t i = signals.size() - 1; i-- > 0;) {
+      rest[i] = exprs().conjunction(rest[i + 1], long_off[i + 1]);
+    }
+    ExprId condition = exprs().bit(true);
+    ExprId first = exprs().bit(true);  // all before signal i
+    for (std::size_t i = 0; i < signals.size(); ++i) {
+      const ExprId others = exprs().conjunction(first, rest[i]);
+      condition = exprs().conjunction(condition,
+                                      exprs().implication(signals[i], others));
+      first = exprs().conjunction(first, long_off[i]);
+    }
+    return condition;
+  }
+
+  void latch() {
+    const ExprId q = formula(0);
+    const ExprId set = formula(1);
+    const ExprId reset = formula(2);
+    const ExprId before = terms_.before(property().formulas[0]);
+    const ExprId no_set = exprs().negation(set);
+    const ExprId no_reset = exprs().negation(reset);
+    const ExprId rises = exprs().conjunction(q, exprs().negation(before));
+    const bool dominant_set = property().dominant_set;
+    latch_part(0, Goal::Reach, rises, {});
+    latch_implication(
+        1, dominant_set ? set : exprs().conjunction(set, no_reset), q);
+    latch_implication(2, exprs().conjunction(before, no_reset), q);
+    releasable(q);
+    latch_implication(4,
+                      dominant_set ? exprs().conjunction(reset, no_set) : reset,
+                      exprs().negation(q));
+    latch_implication(5, rises, set);
+  }
+
+  Obligation& latch_part(std::uint32_t part, Goal goal, ExprId condition,
+                         ExprId trigger) {
+    Obligation& obligation = add(goal, condition, trigger);
+    obligation.name += "." + std::string(kLatchParts[part]);
+    obligation.part = part;
+    return obligation;
+  }
+  void latch_implication(std::uint32_t part, ExprId left, ExprId right) {
+    latch_part(part, Goal::Invariant, exprs().implication(left, right), left);
+  }
+
+  void releasable(ExprId q) {
+    const auto condition = release_condition(terms_, property().formulas[0],
+                                             property().formulas[2]);
+    Obligation& obligation =
+        latch_part(3, Goal::Invariant, condition.value_or(exprs().bit(true)),
+                   condition ? q : ExprId());
+    if (condition) {
+      obligation.only_provable =
+          "one scan does not release it from every state, and longer runs are "
+          "not searched in this version";
+    } else {
+      obligation.undecided =
+          "no fixed input of one scan that the assumptions allow resets it, "
+          "and longer runs are not searched in this version";
+    }
+  }
+
+  /// after P, Q within N scans: `age` counts from the oldest P without answer,
+  /// 1 at its own scan end; 0 is none.
+  void within_scans() {
+    const std::int64_t limit = property().scans + 1;
+    const ExprId cause = formula(0);
+    const ExprId answer = formula(1);
+    const std::uint32_t state =
+        ts_.add_state(monitor("age"), Type::Word, 0, limit, 0);
+    const ExprId age = ts_.state_expr(state);
+    const ExprId older =
+        exprs().minimum(exprs().add(age, exprs().word(1)), exprs().word(limit));
+    const ExprId idle = exprs().equal(age, exprs().word(0));
+    const ExprId waiting = exprs().ite(idle, exprs().to_word(cause), older);
+    ts_.states[state].next = exprs().ite(answer, exprs().word(0), waiting);
+    add(Goal::Invariant,
+        exprs().less(ts_.states[state].next, exprs().word(limit)), cause);
+  }
+
+  /// after P, Q within N ms: false at the first scan end past the deadline of
+  /// an unanswered P, even if Q is true there.
+  void within_time() {
+    const std::int64_t limit = property().milliseconds;
+    const ExprId cause = formula(0);
+    const ExprId answer = formula(1);
+    const std::uint32_t state =
+        ts_.add_state(monitor("pending"), Type::Bit, 0, 1, 0);
+    const ExprId pending = ts_.state_expr(state);
+    ts_.states[state].next = exprs().conjunction(
+        exprs().disjunction(pending, cause), exprs().negation(answer));
+    const std::uint32_t clock =
+        ts_.add_clock(monitor("waited"), exprs().negation(pending), limit + 1);
+    const ExprId late =
+        exprs().less(exprs().word(limit), ts_.states[clock].next);
+    add(Goal::Invariant, exprs().negation(exprs().conjunction(pending, late)),
+        cause);
+  }
+
+  /// P for N ms implies Q: a clock since the first of the last scan ends with
+  /// P.
+  void held() {
+    const std::int64_t time = property().milliseconds;
+    const ExprId cause = formula(0);
+    const ExprId answer = formula(1);
+    ExprId long_enough = cause;
+    if (time > 0) {
+      // Not prev(P): before the first scan there is no scan end.
+      const ExprId was = terms_.remembered(cause, 0, monitor("was"));
+      const std::uint32_t clock = ts_.add_clock(
+          monitor("held"), exprs().negation(exprs().conjunction(cause, was)),
+          time);
+      long_enough = exprs().conjunction(
+          cause,
+          exprs().less_equal(exprs().word(time), ts_.states[clock].next));
+    }
+    add(Goal::Invariant, exprs().implication(long_enough, answer), long_enough);
+  }
+
+  void only_after() {
+    const ExprId q = formula(0);
+    const ExprId p = formula(1);
+    const std::uint32_t state =
+        ts_.add_state(monitor("seen"), Type::Bit, 0, 1, 0);
+    const ExprId seen = exprs().disjunction(ts_.state_expr(state), p);
+    ts_.states[state].next = seen;
+    add(Goal::Invariant, exprs().implication(q, seen), q);
+  }
+
+  const PropertySet& properties_;
+  TransitionSystem& ts_;
+  PropertyTerms terms_;
+  std::size_t at_ = 0;  // the property at hand
+  std::vector<Obligation> obligations_;
+};
+
+}  // namespace
+
+std::vector<Obligation> make_obligations(const Program& program,
+                                         const PropertySet& properties,
+                                         TransitionSystem& ts) {
+  return ObligationMaker(program, properties, ts).make();
+}
+
+}  // namespace rung
