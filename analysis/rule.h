@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <string>
@@ -44,15 +46,19 @@ struct RuleContext {
 
 enum class Decision : std::uint8_t { Syntax, Solver };
 
+/// What a check works with: the context, tables over the program, and the way
+/// to report and to ask. Defined in analysis/rules/rule_run.h.
+class RuleRun;
+
 /// A lint rule: its identity, its documentation and its check, in one file
 /// under analysis/rules/.
 struct Rule {
   std::string_view code;  // "RP101": never reused once released
   std::string_view name;  // reads well after "allow": "allow double-coil"
-  Severity severity;
+  Severity severity;      // of most findings; what is proved harmless is a note
   Decision decision;
   std::string_view doc;  // Markdown with the four headings of docs/rules
-  void (*check)(const RuleContext&, DiagnosticSink&);
+  void (*check)(RuleRun& run);
 };
 
 /// Every rule, sorted by code.
@@ -61,7 +67,26 @@ std::span<const Rule* const> all_rules();
 /// By code or name; null when there is none.
 const Rule* find_rule(std::string_view code_or_name);
 
-/// Runs every rule. Solver rules get `context.oracle`.
-void run_rules(const RuleContext& context, DiagnosticSink& sink);
+/// Effort of the solver rules. Counts, not seconds: the same on every machine.
+struct RuleBudget {
+  std::size_t proof_questions = 4096;  // in all, after sampling
+  std::size_t witness_questions = 64;  // in all
+  std::uint64_t sampling_work = 40'000'000;  // term evaluations, about
+};
+
+/// What the solver rules did: a summary may say it.
+struct RuleSummary {
+  std::size_t asked = 0;      // questions
+  std::size_t sampled = 0;    // answered no by a sampled run
+  std::size_t undecided = 0;  // left without an answer: nothing is claimed
+};
+
+/// Runs every rule. First each check, which may ask questions; then all
+/// questions of all rules go to `context.oracle` in one call, and the rules
+/// judge the answers. Without an oracle every answer is Unknown.
+/// `//@ allow NAME_OR_CODE: reason` on the line of a finding or on the line
+/// above keeps it from `sink`.
+RuleSummary run_rules(const RuleContext& context, DiagnosticSink& sink,
+                      const RuleBudget& budget = {});
 
 }  // namespace rung
