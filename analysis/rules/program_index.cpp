@@ -1,0 +1,175 @@
+#include "analysis/rules/program_index.h"
+
+#include <algorithm>
+#include <string>
+#include <string_view>
+#include <unordered_map>
+
+namespace rung {
+
+Grouped::Grouped(std::size_t keys, const std::vector<Pair>& pairs)
+    : starts_(keys + 1, 0), items_(pairs.size()) {
+  for (const auto& [key, item] : pairs) ++starts_[key + 1];
+  for (std::size_t i = 0; i < keys; ++i) starts_[i + 1] += starts_[i];
+  std::vector<std::uint32_t> next(starts_.begin(), starts_.end() - 1);
+  for (const auto& [key, item] : pairs) items_[next[key]++] = item;
+}
+
+namespace {
+
+using CellNames = std::unordered_map<std::string_view, std::uint32_t>;
+
+class Indexer {
+ public:
+  Indexer(const Program& program, ProgramIndex& index)
+      : program_(program), index_(index) {}
+
+  void run() {
+    const std::size_t nodes = program_.nodes.size();
+    index_.rung_of.resize(nodes);
+    index_.first.resize(nodes);
+    index_.parent.assign(nodes, ProgramIndex::kNone);
+    index_.rung_of_call.resize(program_.calls.size());
+    index_.reads_itself.resize(program_.rungs.size());
+    for (const RungId id : ids_of(program_.rungs)) add_rung(id.index());
+    index_.writers = Grouped(program_.cells.size(), writers_);
+    index_.reads = Grouped(program_.cells.size(), reads_);
+    index_.calls = Grouped(program_.instances.size(), calls_);
+  }
+
+ private:
+  void add_rung(std::uint32_t rung) {
+    const Rung& it = program_.rungs[RungId(rung)];
+    writers_.emplace_back(it.target.index(), rung);
+    for (std::uint32_t i = it.begin; i < it.end; ++i) {
+      index_.rung_of[i] = rung;
+      add_node(i, rung);
+      const Node& node = program_.nodes[i];
+      if (node.op == NodeOp::Read && node.cell == it.target) {
+        index_.reads_itself[rung] = true;
+      }
+    }
+  }
+
+  void adopt(std::uint32_t parent, std::uint32_t child) {
+    index_.parent[child] = parent;
+    index_.first[parent] =
+        std::min(index_.first[parent], index_.first[child]);
+  }
+
+  void add_node(std::uint32_t i, std::uint32_t rung) {
+    const Node& node = program_.nodes[i];
+    index_.first[i] = i;
+    switch (node.op) {
+      case NodeOp::Constant:
+      case NodeOp::Branch:
+        return;
+      case NodeOp::Read:
+        reads_.emplace_back(node.cell.index(), i);
+        return;
+      case NodeOp::Call: {
+        const ElementCall& call = program_.calls[node.call];
+        index_.rung_of_call[node.call.index()] = rung;
+        calls_.emplace_back(call.instance.index(), node.call.index());
+        for (const std::uint32_t argument : call.arguments) adopt(i, argument);
+        return;
+      }
+      case NodeOp::Not:
+      case NodeOp::Negate:
+      case NodeOp::Wrap16:
+      case NodeOp::ToWord:
+      case NodeOp::ToBit:
+        adopt(i, node.a);
+        return;
+      case NodeOp::And:
+      case NodeOp::Or:
+      case NodeOp::Xor:
+      case NodeOp::Equal:
+      case NodeOp::NotEqual:
+      case NodeOp::Less:
+      case NodeOp::LessEqual:
+      case NodeOp::Greater:
+      case NodeOp::GreaterEqual:
+      case NodeOp::Add:
+      case NodeOp::Subtract:
+      case NodeOp::Multiply:
+      case NodeOp::Divide:
+        adopt(i, node.a);
+        adopt(i, node.b);
+        return;
+    }
+  }
+
+  const Program& program_;
+  ProgramIndex& index_;
+  std::vector<Grouped::Pair> writers_;
+  std::vector<Grouped::Pair> reads_;
+  std::vector<Grouped::Pair> calls_;
+};
+
+CellNames cell_names(const Program& program) {
+  CellNames names;
+  names.reserve(program.cells.size());
+  for (const CellId id : ids_of(program.cells)) {
+    names.emplace(program.cells[id].name, id.index());
+  }
+  return names;
+}
+
+void mark(const CellNames& names, std::string_view name,
+          std::vector<bool>& flags) {
+  const auto found = names.find(name);
+  if (found != names.end()) flags[found->second] = true;
+}
+
+bool is_word_char(char c) {
+  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') ||
+         (c >= '0' && c <= '9') || c == '_';
+}
+
+void mark_words(const CellNames& names, std::string_view text,
+                std::vector<bool>& flags) {
+  std::size_t begin = 0;
+  while (begin < text.size()) {
+    std::size_t end = begin;
+    while (end < text.size() && is_word_char(text[end])) ++end;
+    if (end > begin) mark(names, text.substr(begin, end - begin), flags);
+    begin = end + 1;
+  }
+}
+
+void add_plant(const Program& program, const CellNames& names,
+               ProgramIndex& index) {
+  const Plant& plant = program.plant;
+  for (const AstNode& node : plant.nodes) {
+    if (node.op == AstOp::Name) mark(names, node.text, index.plant_reads);
+  }
+  for (const PlantStatement& statement : plant.statements) {
+    if (statement.kind == AstPlantStatement::Kind::Assign) {
+      mark(names, statement.target, index.plant_writes);
+    }
+  }
+}
+
+}  // namespace
+
+ProgramIndex::ProgramIndex(const Program& program,
+                           const PropertySet& properties)
+    : plant_reads(program.cells.size()),
+      plant_writes(program.cells.size()),
+      mentioned(program.cells.size()) {
+  Indexer(program, *this).run();
+  const CellNames names = cell_names(program);
+  add_plant(program, names, *this);
+  for (const AstAnnotation& line : program.annotations) {
+    // What a suppression says about a cell is no use of it.
+    if (!line.text.starts_with("allow")) {
+      mark_words(names, line.text, mentioned);
+    }
+  }
+  for (const Property& property : properties.properties) {
+    if (!property.built_in) mark_words(names, property.text, mentioned);
+  }
+}
+
+}  // namespace rung

@@ -1,0 +1,83 @@
+#pragma once
+
+#include <functional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "analysis/rule.h"
+#include "analysis/rules/program_index.h"
+
+namespace rung {
+
+#define RUNG_RULE(ident) extern const Rule ident;
+#include "analysis/rules/rules.def"
+#undef RUNG_RULE
+
+/// One run of all rules over one program.
+///
+/// A check reads, reports and asks. What it asks is answered after every check
+/// has run, all at once: one solver session, and one induction over the
+/// conjunction of all claims, cost far less than a session a rule.
+class RuleRun {
+ public:
+  using Answer = Oracle::Answer;
+  using Evidence = Oracle::Evidence;
+  using Judge = std::function<void(RuleRun&, std::span<const Evidence>)>;
+
+  /// What an answer is worth to the rule that asks.
+  enum class Want : std::uint8_t {
+    Proof,    // only Yes leads to a finding; No needs no witness
+    Witness,  // No leads to a finding, which shows the witness
+  };
+
+  struct Details {
+    std::vector<Label> labels = {};
+    std::string help = {};
+    bool downgrade = false;  // proved harmless: a note
+  };
+
+  RuleRun(const RuleContext& context, DiagnosticSink& sink);
+
+  const SourceSet& sources;
+  const Program& program;
+  const PropertySet& properties;
+  TransitionSystem& ts;
+  const ProgramIndex index;
+
+  void report(SourceRange where, std::string message, Details details);
+  void report(SourceRange where, std::string message);
+
+  /// Is each condition true at the end of every scan of every run? `judge` is
+  /// called once, with an answer for each condition, in order.
+  void ask(Want want, std::vector<ExprId> always, Judge judge);
+
+  /// A rung whose value another rule has explained: coil-never-true and the
+  /// like stay silent there. For rules decided on the syntax.
+  void explain(RungId rung) { explained_[rung.index()] = true; }
+  bool explained(RungId rung) const { return explained_[rung.index()]; }
+
+  void check(const Rule& rule);
+  RuleSummary decide(Oracle* oracle, const RuleBudget& budget);
+
+ private:
+  struct Question {
+    const Rule* rule = nullptr;
+    Want want = Want::Proof;
+    std::size_t begin = 0;  // in conditions_
+    std::size_t end = 0;
+    Judge judge;
+  };
+
+  std::vector<std::size_t> select(const std::vector<Evidence>& answers,
+                                  const RuleBudget& budget) const;
+
+  DiagnosticSink& sink_;
+  const Rule* rule_ = nullptr;
+  std::vector<bool> explained_;
+  std::vector<Question> questions_;
+  std::vector<ExprId> conditions_;
+};
+
+}  // namespace rung

@@ -1,0 +1,110 @@
+#include "analysis/rules/support.h"
+
+#include <algorithm>
+
+namespace rung {
+
+std::string quoted(std::string_view name) {
+  return "`" + std::string(name) + "`";
+}
+
+std::string quoted(const Program& program, CellId cell) {
+  return quoted(program.cells[cell].name);
+}
+
+std::string counted(std::size_t count, std::string_view thing) {
+  return std::to_string(count) + " " + std::string(thing) +
+         (count == 1 ? "" : "s");
+}
+
+std::uint32_t line_of(const RuleRun& run, SourceRange where) {
+  if (!where.has_value()) return 0;
+  return run.sources[where.file].position(where.begin).line;
+}
+
+std::string_view text_of(const RuleRun& run, SourceRange where) {
+  return where.has_value() ? run.sources.text(where) : std::string_view();
+}
+
+std::string proof_text(const Oracle::Evidence& evidence) {
+  return "proved for every reachable state (" + evidence.engine + ")";
+}
+
+std::string witness_text(const RuleRun& run, const Oracle::Evidence& evidence) {
+  if (!evidence.witness || evidence.witness->steps.empty()) return {};
+  const Trace::Step& last = evidence.witness->steps.back();
+  std::string text = "seen in scan " + std::to_string(last.scan);
+  std::size_t shown = 0;
+  for (const CellId id : ids_of(run.program.cells)) {
+    const Cell& cell = run.program.cells[id];
+    if (cell.role != CellRole::Input || shown == 6) continue;
+    text += (shown++ == 0 ? ", with " : ", ") + quoted(cell.name) + " = " +
+            std::to_string(last.values[id.index()]);
+  }
+  return text;
+}
+
+std::vector<std::uint32_t> operands(const Program& program, std::uint32_t root,
+                                    NodeOp op) {
+  std::vector<std::uint32_t> found;
+  std::vector<std::uint32_t> open = {root};
+  while (!open.empty()) {
+    const std::uint32_t node = open.back();
+    open.pop_back();
+    if (program.nodes[node].op != op) {
+      found.push_back(node);
+      continue;
+    }
+    open.push_back(program.nodes[node].b);
+    open.push_back(program.nodes[node].a);
+  }
+  return found;
+}
+
+Contact contact_at(const Program& program, std::uint32_t node) {
+  bool inverted = false;
+  while (program.nodes[node].op == NodeOp::Not) {
+    inverted = !inverted;
+    node = program.nodes[node].a;
+  }
+  if (program.nodes[node].op != NodeOp::Read) return {};
+  return {program.nodes[node].cell, inverted};
+}
+
+bool same_structure(const RuleRun& run, std::uint32_t left,
+                    std::uint32_t right) {
+  const std::vector<Node>& nodes = run.program.nodes;
+  const std::uint32_t left_first = run.index.first[left];
+  const std::uint32_t right_first = run.index.first[right];
+  if (left - left_first != right - right_first) return false;
+  for (std::uint32_t i = 0; i <= left - left_first; ++i) {
+    const Node& a = nodes[left_first + i];
+    const Node& b = nodes[right_first + i];
+    if (a.op != b.op || a.cell != b.cell || a.value != b.value ||
+        a.op == NodeOp::Call) {
+      return false;
+    }
+  }
+  return true;
+}
+
+std::string_view family_name(const Instance& instance) {
+  switch (instance.kind->family) {
+    case ElementFamily::Timer:
+      return "timer";
+    case ElementFamily::Counter:
+      return "counter";
+    case ElementFamily::Edge:
+      return "edge";
+  }
+  return "";
+}
+
+std::string_view reset_name(const ElementKind& kind) {
+  for (const ElementOperation& operation : kind.operations) {
+    if (operation.resets) return operation.name;
+  }
+  return {};
+}
+
+}  // namespace rung
