@@ -384,6 +384,7 @@ class Builder {
       }
     }
     ts_.cell_end = std::move(cells_);
+    ts_.node_value = std::move(value_);
   }
 
   static constexpr std::uint32_t kNoState = 0xffff'ffff;

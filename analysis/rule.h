@@ -69,8 +69,8 @@ const Rule* find_rule(std::string_view code_or_name);
 
 /// Effort of the solver rules. Counts, not seconds: the same on every machine.
 struct RuleBudget {
-  std::size_t proof_questions = 4096;  // in all, after sampling
-  std::size_t witness_questions = 64;  // in all
+  std::size_t proof_questions = 4096;        // in all, after sampling
+  std::size_t witness_questions = 64;        // in all
   std::uint64_t sampling_work = 40'000'000;  // term evaluations, about
 };
 

@@ -67,6 +67,9 @@ struct TransitionSystem {
   std::vector<ExprId> cell_begin;
   /// By RungId: the value of the rung's expression when it was executed.
   std::vector<ExprId> rung_value;
+  /// By node of the program: its value when it was executed (a Branch has
+  /// none).
+  std::vector<ExprId> node_value;
   /// By CallId: the result of the call (false where it was skipped), and
   /// whether it was executed.
   std::vector<ExprId> call_value;

@@ -7,12 +7,13 @@ namespace {
 
 /// Walks from the read up to the root. No value (`cell` unset) when something
 /// other than And and Or is on the way.
-Latch latch_at(const RuleRun& run, RungId rung, std::uint32_t read) {
-  const std::vector<Node>& nodes = run.program.nodes;
-  Latch latch{rung, run.program.rungs[rung].target, read, {}, {}, {}};
+Latch latch_at(const Program& program, const ProgramIndex& index, RungId rung,
+               std::uint32_t read) {
+  const std::vector<Node>& nodes = program.nodes;
+  Latch latch{rung, program.rungs[rung].target, read, {}, {}, {}};
   std::uint32_t node = read;
-  for (std::uint32_t up = run.index.parent[node]; up != ProgramIndex::kNone;
-       node = up, up = run.index.parent[node]) {
+  for (std::uint32_t up = index.parent[node]; up != ProgramIndex::kNone;
+       node = up, up = index.parent[node]) {
     const Node& gate = nodes[up];
     const std::uint32_t other = gate.a == node ? gate.b : gate.a;
     if (gate.op == NodeOp::And) {
@@ -27,26 +28,29 @@ Latch latch_at(const RuleRun& run, RungId rung, std::uint32_t read) {
   return latch;
 }
 
+constexpr std::size_t kMostReads = 8;
+
 }  // namespace
 
-std::vector<Latch> find_latches(const RuleRun& run) {
+std::vector<Latch> find_latches(const Program& program,
+                                const ProgramIndex& index) {
   std::vector<Latch> latches;
-  for (const RungId id : ids_of(run.program.rungs)) {
-    if (!run.index.reads_itself[id.index()]) continue;
-    const Rung& rung = run.program.rungs[id];
-    if (run.program.cells[rung.target].type != Type::Bit) continue;
+  for (const RungId id : ids_of(program.rungs)) {
+    if (!index.reads_itself[id.index()]) continue;
+    const Rung& rung = program.rungs[id];
+    if (program.cells[rung.target].type != Type::Bit) continue;
     Latch best;
+    std::size_t tried = 0;
     for (std::uint32_t i = rung.begin; i < rung.end; ++i) {
-      const Node& node = run.program.nodes[i];
+      const Node& node = program.nodes[i];
       if (node.op != NodeOp::Read || node.cell != rung.target) continue;
-      Latch latch = latch_at(run, id, i);
+      Latch latch = latch_at(program, index, id, i);
       if (!latch.cell.has_value()) continue;
-      if (!best.cell.has_value() ||
-          latch.breaks.size() < best.breaks.size()) {
+      if (!best.cell.has_value() || latch.breaks.size() < best.breaks.size()) {
         best = std::move(latch);
       }
-      // One walk up is as long as the rung is deep: a few reads tell enough.
-      if (i - rung.begin > 1000) break;
+      // A walk up is as long as the rung is deep: linear for a few of them.
+      if (++tried == kMostReads) break;
     }
     if (best.cell.has_value()) latches.push_back(std::move(best));
   }

@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "analysis/rules/rule_run.h"
+#include "analysis/rules/program_index.h"
 
 namespace rung {
 
@@ -23,8 +23,10 @@ struct Latch {
 };
 
 /// The rungs that hold themselves, in scan order. Of a rung with several such
-/// reads the one with the fewest breaks. Linear in the program.
-std::vector<Latch> find_latches(const RuleRun& run);
+/// reads (the first few count) the one with the fewest breaks. Linear in the
+/// program.
+std::vector<Latch> find_latches(const Program& program,
+                                const ProgramIndex& index);
 
 /// The rung's value is true only when its target was: Q = Q && ... .
 bool only_resets(const Latch& latch);

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <string>
 #include <string_view>
-#include <unordered_map>
 
 namespace rung {
 
@@ -16,8 +15,6 @@ Grouped::Grouped(std::size_t keys, const std::vector<Pair>& pairs)
 }
 
 namespace {
-
-using CellNames = std::unordered_map<std::string_view, std::uint32_t>;
 
 class Indexer {
  public:
@@ -47,14 +44,15 @@ class Indexer {
       const Node& node = program_.nodes[i];
       if (node.op == NodeOp::Read && node.cell == it.target) {
         index_.reads_itself[rung] = true;
+      } else if (node.op == NodeOp::Read) {
+        index_.read_by_others[node.cell.index()] = true;
       }
     }
   }
 
   void adopt(std::uint32_t parent, std::uint32_t child) {
     index_.parent[child] = parent;
-    index_.first[parent] =
-        std::min(index_.first[parent], index_.first[child]);
+    index_.first[parent] = std::min(index_.first[parent], index_.first[child]);
   }
 
   void add_node(std::uint32_t i, std::uint32_t rung) {
@@ -107,19 +105,10 @@ class Indexer {
   std::vector<Grouped::Pair> calls_;
 };
 
-CellNames cell_names(const Program& program) {
-  CellNames names;
-  names.reserve(program.cells.size());
-  for (const CellId id : ids_of(program.cells)) {
-    names.emplace(program.cells[id].name, id.index());
-  }
-  return names;
-}
-
-void mark(const CellNames& names, std::string_view name,
+void mark(const ProgramIndex& index, std::string_view name,
           std::vector<bool>& flags) {
-  const auto found = names.find(name);
-  if (found != names.end()) flags[found->second] = true;
+  const CellId cell = index.find(name);
+  if (cell.has_value()) flags[cell.index()] = true;
 }
 
 bool is_word_char(char c) {
@@ -127,26 +116,25 @@ bool is_word_char(char c) {
          (c >= '0' && c <= '9') || c == '_';
 }
 
-void mark_words(const CellNames& names, std::string_view text,
+void mark_words(const ProgramIndex& index, std::string_view text,
                 std::vector<bool>& flags) {
   std::size_t begin = 0;
   while (begin < text.size()) {
     std::size_t end = begin;
     while (end < text.size() && is_word_char(text[end])) ++end;
-    if (end > begin) mark(names, text.substr(begin, end - begin), flags);
+    if (end > begin) mark(index, text.substr(begin, end - begin), flags);
     begin = end + 1;
   }
 }
 
-void add_plant(const Program& program, const CellNames& names,
-               ProgramIndex& index) {
+void add_plant(const Program& program, ProgramIndex& index) {
   const Plant& plant = program.plant;
   for (const AstNode& node : plant.nodes) {
-    if (node.op == AstOp::Name) mark(names, node.text, index.plant_reads);
+    if (node.op == AstOp::Name) mark(index, node.text, index.plant_reads);
   }
   for (const PlantStatement& statement : plant.statements) {
     if (statement.kind == AstPlantStatement::Kind::Assign) {
-      mark(names, statement.target, index.plant_writes);
+      mark(index, statement.target, index.plant_writes);
     }
   }
 }
@@ -157,18 +145,22 @@ ProgramIndex::ProgramIndex(const Program& program,
                            const PropertySet& properties)
     : plant_reads(program.cells.size()),
       plant_writes(program.cells.size()),
-      mentioned(program.cells.size()) {
+      mentioned(program.cells.size()),
+      read_by_others(program.cells.size()) {
+  names.reserve(program.cells.size());
+  for (const CellId id : ids_of(program.cells)) {
+    names.emplace(program.cells[id].name, id);
+  }
   Indexer(program, *this).run();
-  const CellNames names = cell_names(program);
-  add_plant(program, names, *this);
+  add_plant(program, *this);
   for (const AstAnnotation& line : program.annotations) {
     // What a suppression says about a cell is no use of it.
     if (!line.text.starts_with("allow")) {
-      mark_words(names, line.text, mentioned);
+      mark_words(*this, line.text, mentioned);
     }
   }
   for (const Property& property : properties.properties) {
-    if (!property.built_in) mark_words(names, property.text, mentioned);
+    if (!property.built_in) mark_words(*this, property.text, mentioned);
   }
 }
 

@@ -2,6 +2,8 @@
 
 #include <cstdint>
 #include <span>
+#include <string_view>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -39,13 +41,27 @@ struct ProgramIndex {
 
   std::vector<std::uint32_t> rung_of;       // by node
   std::vector<std::uint32_t> rung_of_call;  // by call
-  std::vector<std::uint32_t> first;   // by node: where its subtree begins
-  std::vector<std::uint32_t> parent;  // by node; kNone at a rung's root
+  std::vector<std::uint32_t> first;         // by node: where its subtree begins
+  std::vector<std::uint32_t> parent;        // by node; kNone at a rung's root
 
   std::vector<bool> plant_reads;   // by cell: the `//Sim` plant reads it
   std::vector<bool> plant_writes;  // by cell: the plant assigns it
   std::vector<bool> mentioned;     // by cell: a property line names it
   std::vector<bool> reads_itself;  // by rung: its expression reads its target
+
+  /// The cell of that name; no value when there is none.
+  CellId find(std::string_view name) const {
+    const auto found = names.find(name);
+    return found == names.end() ? CellId() : found->second;
+  }
+  /// Does anything but the cell's own rungs care for its value?
+  bool is_used(CellId cell) const {
+    const std::uint32_t i = cell.index();
+    return read_by_others[i] || plant_reads[i] || mentioned[i];
+  }
+
+  std::vector<bool> read_by_others;  // by cell: in a rung of another target
+  std::unordered_map<std::string_view, CellId> names;
 
   static constexpr std::uint32_t kNone = 0xffff'ffff;
 };

@@ -13,18 +13,19 @@ RuleRun::RuleRun(const RuleContext& context, DiagnosticSink& sink)
       properties(context.properties),
       ts(context.ts),
       index(context.program, context.properties),
+      latches(find_latches(context.program, index)),
       sink_(sink),
       explained_(context.program.rungs.size()) {}
 
 void RuleRun::report(SourceRange where, std::string message, Details details) {
-  sink_.report({.code = rule_->code,
-                .severity =
-                    details.downgrade ? Severity::Note : rule_->severity,
-                .where = where,
-                .message = std::move(message),
-                .labels = std::move(details.labels),
-                .rule = rule_->name,
-                .help = std::move(details.help)});
+  sink_.report(
+      {.code = rule_->code,
+       .severity = details.downgrade ? Severity::Note : rule_->severity,
+       .where = where,
+       .message = std::move(message),
+       .labels = std::move(details.labels),
+       .rule = rule_->name,
+       .help = std::move(details.help)});
 }
 
 void RuleRun::report(SourceRange where, std::string message) {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "analysis/rule.h"
+#include "analysis/rules/latch.h"
 #include "analysis/rules/program_index.h"
 
 namespace rung {
@@ -45,6 +46,7 @@ class RuleRun {
   const PropertySet& properties;
   TransitionSystem& ts;
   const ProgramIndex index;
+  const std::vector<Latch> latches;
 
   void report(SourceRange where, std::string message, Details details);
   void report(SourceRange where, std::string message);

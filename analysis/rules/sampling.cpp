@@ -192,9 +192,10 @@ class Runs {
     const auto span =
         static_cast<std::uint64_t>(ts_.scan.max_ms - ts_.scan.min_ms) + 1;
     for (std::size_t lane = 0; lane < kLanes; ++lane) {
-      words[lane] = lane % 2 == 0 ? ts_.scan.max_ms
-                                  : ts_.scan.min_ms + static_cast<std::int64_t>(
-                                                          random_() % span);
+      words[lane] =
+          lane % 2 == 0
+              ? ts_.scan.max_ms
+              : ts_.scan.min_ms + static_cast<std::int64_t>(random_() % span);
     }
   }
 
