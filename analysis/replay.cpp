@@ -1,0 +1,325 @@
+#include <algorithm>
+#include <cassert>
+#include <unordered_map>
+
+#include "analysis/property.h"
+#include "analysis/replay_formula.h"
+#include "analysis/simulator.h"
+#include "analysis/simulator_word.h"
+
+namespace rung {
+namespace {
+
+enum LatchPart : std::uint32_t {
+  kSettable,
+  kSets,
+  kHolds,
+  kReleasable,
+  kResets,
+  kNoSpuriousStart,
+};
+
+// `time` ms or more are left of a deadline that is met as long as less than
+// `time` have passed: how many scans of dt_ms are certain to be before it.
+std::uint64_t scans_before(std::int64_t time, std::int64_t dt_ms) {
+  if (dt_ms == 0) return kForever;
+  return time <= 0 ? 0 : static_cast<std::uint64_t>((time - 1) / dt_ms);
+}
+
+/// One property, followed through a run as docs/properties.md defines it.
+class PropertyWatch {
+ public:
+  PropertyWatch(const Program& program, const ObservationNames& names,
+                const Property& property)
+      : property_(property) {
+    for (const std::string& text : property.formulas) {
+      formulas_.emplace_back(program, names, text);
+    }
+    last_true_.assign(formulas_.size(), -1);
+  }
+
+  void start(const Simulator& simulator) {
+    for (FormulaWatch& formula : formulas_) formula.start(simulator);
+  }
+  void begin(const Simulator& simulator) {
+    for (FormulaWatch& formula : formulas_) formula.begin(simulator);
+  }
+  void end(const Simulator& simulator) {
+    for (FormulaWatch& formula : formulas_) formula.end(simulator);
+    update(simulator);
+  }
+
+  /// An invariant part is false, or a part to be reached is there, at the end
+  /// of the scan just seen.
+  bool decided(std::uint32_t part) const {
+    if (property_.form == Property::Form::Latch) return latch_decided(part);
+    return decided_;
+  }
+
+  std::uint64_t steady_scans(const Simulator& simulator, std::int64_t dt_ms) {
+    std::uint64_t limit = time_limit(simulator, dt_ms);
+    for (FormulaWatch& formula : formulas_) {
+      limit = std::min(limit, formula.steady_scans(simulator, dt_ms));
+    }
+    return limit;
+  }
+
+  void skip(const Simulator& after, std::uint64_t count) {
+    for (FormulaWatch& formula : formulas_) formula.skip(count);
+    if (open_scans_ >= 0) open_scans_ += static_cast<std::int64_t>(count);
+    remember_true(after);
+  }
+
+ private:
+  bool holds(std::size_t formula) const { return formulas_[formula].holds(); }
+
+  void update(const Simulator& simulator) {
+    switch (property_.form) {
+      case Property::Form::Always:
+        decided_ = !holds(0);
+        break;
+      case Property::Form::Never:
+      case Property::Form::Reach:
+        decided_ = holds(0);
+        break;
+      case Property::Form::Interlock:
+        decided_ = interlock_broken(simulator);
+        remember_true(simulator);
+        break;
+      case Property::Form::Latch:
+        break;
+      case Property::Form::After:
+        decided_ = response_late(simulator);
+        break;
+      case Property::Form::For:
+        decided_ = held_in_vain(simulator);
+        break;
+      case Property::Form::OnlyAfter:
+        preceded_ = preceded_ || holds(1);
+        decided_ = holds(0) && !preceded_;
+        break;
+    }
+  }
+
+  // Two are true together, or one is less than the gap after another was.
+  bool interlock_broken(const Simulator& simulator) const {
+    for (std::size_t one = 0; one < formulas_.size(); ++one) {
+      if (!holds(one)) continue;
+      for (std::size_t other = 0; other < formulas_.size(); ++other) {
+        if (other == one) continue;
+        if (holds(other)) return true;
+        const bool too_early =
+            last_true_[other] >= 0 &&
+            simulator.now_ms() - last_true_[other] < property_.milliseconds;
+        if (too_early) return true;
+      }
+    }
+    return false;
+  }
+
+  void remember_true(const Simulator& simulator) {
+    if (property_.form != Property::Form::Interlock) return;
+    for (std::size_t i = 0; i < formulas_.size(); ++i) {
+      if (holds(i)) last_true_[i] = simulator.now_ms();
+    }
+  }
+
+  // The oldest P that no Q has answered decides: it is late first.
+  bool response_late(const Simulator& simulator) {
+    if (open_scans_ >= 0) ++open_scans_;
+    const bool in_ms = property_.milliseconds >= 0;
+    if (open_scans_ >= 0 && in_ms &&
+        simulator.now_ms() - since_ > property_.milliseconds) {
+      return true;  // a Q now is too late
+    }
+    if (holds(1)) {
+      open_scans_ = -1;
+      return false;
+    }
+    if (open_scans_ < 0 && holds(0)) {
+      open_scans_ = 0;
+      since_ = simulator.now_ms();
+    }
+    return !in_ms && open_scans_ >= std::max<std::int64_t>(0, property_.scans);
+  }
+
+  bool held_in_vain(const Simulator& simulator) {
+    if (!holds(0)) {
+      open_scans_ = -1;
+      return false;
+    }
+    if (open_scans_ < 0) {
+      open_scans_ = 0;
+      since_ = simulator.now_ms();
+    }
+    return simulator.now_ms() - since_ >= property_.milliseconds && !holds(1);
+  }
+
+  // Scans in which no deadline of the property passes, its formulas constant.
+  std::uint64_t time_limit(const Simulator& simulator,
+                           std::int64_t dt_ms) const {
+    if (open_scans_ < 0) return kForever;
+    const std::int64_t passed = simulator.now_ms() - since_;
+    const std::int64_t left =
+        saturating_subtract(property_.milliseconds, passed);
+    if (property_.form == Property::Form::For) {
+      return left <= 0 ? kForever : scans_before(left, dt_ms);
+    }
+    if (property_.milliseconds < 0) {
+      const std::int64_t scans = property_.scans - open_scans_ - 1;
+      return scans > 0 ? static_cast<std::uint64_t>(scans) : 0;
+    }
+    return scans_before(saturating_add(left, 1), dt_ms);
+  }
+
+  bool latch_decided(std::uint32_t part) const {
+    const bool q = holds(0);
+    const bool before = formulas_[0].held_before();
+    const bool rises = q && !before;
+    const bool set = holds(1);
+    const bool reset = holds(2);
+    const bool sets = set && (property_.dominant_set || !reset);
+    const bool resets = reset && (!property_.dominant_set || !set);
+    switch (part) {
+      case kSettable:
+        return rises;
+      case kSets:
+        return sets && !q;
+      case kHolds:
+        return before && !reset && !q;
+      case kReleasable:
+        return false;  // about runs that branch off: one run cannot refute it
+      case kResets:
+        return resets && q;
+      case kNoSpuriousStart:
+        return rises && !set;
+      default:
+        assert(false && "a latch has six parts");
+        return false;
+    }
+  }
+
+  const Property& property_;
+  std::vector<FormulaWatch> formulas_;
+  bool decided_ = false;
+  bool preceded_ = false;         // OnlyAfter: P was true
+  std::int64_t open_scans_ = -1;  // After: scans since `since_`; -1: none
+  std::int64_t since_ = 0;        // After: the open P. For: P true since
+  std::vector<std::int64_t> last_true_;  // Interlock, by formula; -1: never
+};
+
+class Replayer {
+ public:
+  Replayer(const Program& program, const PropertySet& properties,
+           const std::vector<ReplayTarget>& targets)
+      : simulator_(program), targets_(targets) {
+    const ObservationNames names(program);
+    std::unordered_map<std::uint32_t, std::uint32_t> watch_of;
+    for (const ReplayTarget& target : targets) {
+      assert(target.property < properties.properties.size());
+      const auto [found, added] = watch_of.emplace(
+          target.property, static_cast<std::uint32_t>(watches_.size()));
+      if (added) {
+        watches_.emplace_back(program, names,
+                              properties.properties[target.property]);
+      }
+      target_watch_.push_back(found->second);
+    }
+    for (const std::string& text : properties.assumptions) {
+      assumptions_.emplace_back(program, names, text);
+    }
+    result_.decided_at.resize(targets.size(), 0);
+    for (PropertyWatch& watch : watches_) watch.start(simulator_);
+    for (FormulaWatch& watch : assumptions_) watch.start(simulator_);
+  }
+
+  const Simulator& simulator() const { return simulator_; }
+  ReplayAll take() { return std::move(result_); }
+
+  void run(const std::vector<CellId>& inputs, const StimulusStep& step) {
+    for (std::size_t i = 0; i < inputs.size(); ++i) {
+      simulator_.set_input(inputs[i], step.inputs[i]);
+    }
+    std::uint64_t left = step.repeat;
+    while (left > 0) {
+      scan(step.dt_ms);
+      --left;
+      if (left > 0) left -= skip(left, step.dt_ms);
+    }
+  }
+
+ private:
+  void scan(std::int64_t dt_ms) {
+    for (PropertyWatch& watch : watches_) watch.begin(simulator_);
+    for (FormulaWatch& watch : assumptions_) watch.begin(simulator_);
+    simulator_.scan(dt_ms);
+    for (PropertyWatch& watch : watches_) watch.end(simulator_);
+    for (FormulaWatch& watch : assumptions_) {
+      watch.end(simulator_);
+      if (!watch.holds()) result_.assumptions_hold = false;
+    }
+    for (std::size_t i = 0; i < targets_.size(); ++i) {
+      std::uint64_t& at = result_.decided_at[i];
+      const PropertyWatch& watch = watches_[target_watch_[i]];
+      if (at == 0 && watch.decided(targets_[i].part)) at = simulator_.scans();
+    }
+  }
+
+  std::uint64_t skip(std::uint64_t count, std::int64_t dt_ms) {
+    count = std::min(count, simulator_.idle_scans(dt_ms));
+    for (std::size_t i = 0; i < watches_.size() && count > 0; ++i) {
+      count = std::min(count, watches_[i].steady_scans(simulator_, dt_ms));
+    }
+    for (std::size_t i = 0; i < assumptions_.size() && count > 0; ++i) {
+      count = std::min(count, assumptions_[i].steady_scans(simulator_, dt_ms));
+    }
+    if (count == 0) return 0;
+    simulator_.skip(count, dt_ms);
+    for (PropertyWatch& watch : watches_) watch.skip(simulator_, count);
+    for (FormulaWatch& watch : assumptions_) watch.skip(count);
+    return count;
+  }
+
+  Simulator simulator_;
+  const std::vector<ReplayTarget>& targets_;
+  std::vector<PropertyWatch> watches_;
+  std::vector<std::uint32_t> target_watch_;
+  std::vector<FormulaWatch> assumptions_;
+  ReplayAll result_;
+};
+
+}  // namespace
+
+Replay replay(const Program& program, const PropertySet& properties,
+              std::uint32_t property, std::uint32_t part,
+              const Stimulus& stimulus) {
+  const std::vector<ReplayTarget> targets = {{property, part}};
+  Replayer replayer(program, properties, targets);
+  Replay result;
+  for (const StimulusStep& step : stimulus.steps) {
+    replayer.run(stimulus.inputs, step);
+    Trace::Step& out = result.trace.steps.emplace_back();
+    out.scan = replayer.simulator().scans();
+    out.dt_ms = step.dt_ms;
+    out.repeat = step.repeat;
+    for (const CellId cell : ids_of(program.cells)) {
+      out.values.push_back(replayer.simulator().value(cell));
+    }
+  }
+  const ReplayAll all = replayer.take();
+  result.decided_at = all.decided_at.front();
+  result.assumptions_hold = all.assumptions_hold;
+  return result;
+}
+
+ReplayAll replay_all(const Program& program, const PropertySet& properties,
+                     const std::vector<ReplayTarget>& targets,
+                     const Stimulus& stimulus) {
+  Replayer replayer(program, properties, targets);
+  for (const StimulusStep& step : stimulus.steps) {
+    replayer.run(stimulus.inputs, step);
+  }
+  return replayer.take();
+}
+
+}  // namespace rung
