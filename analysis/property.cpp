@@ -79,9 +79,11 @@ class PropertyReader {
   CellId find(const Slice& name) {
     const PropertyName found = names_.find(name.text);
     if (found.kind == PropertyName::Kind::Cell) return found.cell;
+    const bool known = found.kind != PropertyName::Kind::Unknown;
     fail("RP062", name.where,
-         "the program has no `" + std::string(name.text) + "`" +
-             names_.suggestion(name.text));
+         known ? "`" + std::string(name.text) + "` is no signal"
+               : "the program has no `" + std::string(name.text) + "`" +
+                     names_.suggestion(name.text));
     return {};
   }
 

@@ -495,7 +495,7 @@ void LineParser::time(const Slice& text, bool scans_allowed) {
   value *= scans ? 1 : row->milliseconds;
   std::int64_t step = row->milliseconds;
   for (const char c : fraction.text.substr(fraction.empty() ? 0 : 1)) {
-    if (c == '.' || step % 10 != 0) {
+    if (c == '.' || step == 0 || step % 10 != 0) {
       return fail("RP065", text, "a time is a whole number of ms or scans");
     }
     step /= 10;
