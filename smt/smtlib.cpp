@@ -1,0 +1,489 @@
+#include "smt/smtlib.h"
+
+#include <algorithm>
+#include <cassert>
+#include <map>
+#include <string_view>
+#include <unordered_map>
+#include <utility>
+
+namespace rung {
+namespace {
+
+/// Deeper terms get a name of their own: the solvers' parsers recurse.
+constexpr std::uint32_t kMaxNesting = 16;
+
+std::string number(std::int64_t value) {
+  if (value >= 0) return std::to_string(value);
+  // Not -value: that has no value for the smallest number.
+  return "(- " + std::to_string(0 - static_cast<std::uint64_t>(value)) + ")";
+}
+
+std::string call(std::string_view op, std::string_view a,
+                 std::string_view b = {}, std::string_view c = {}) {
+  std::string text = "(";
+  text += op;
+  for (const std::string_view operand : {a, b, c}) {
+    if (operand.empty()) continue;
+    text += ' ';
+    text += operand;
+  }
+  text += ')';
+  return text;
+}
+
+/// The n-ary `op`, one operand a line.
+std::string chain(std::string_view op, std::string_view neutral,
+                  const std::vector<std::string>& operands) {
+  if (operands.empty()) return std::string(neutral);
+  if (operands.size() == 1) return operands.front();
+  std::string text = "(" + std::string(op);
+  for (const std::string& operand : operands) text += "\n  " + operand;
+  return text + ")";
+}
+
+/// Truncates towards zero; SMT-LIB's `div` leaves a remainder of 0 or above.
+std::string divided(const std::string& a, std::int64_t divisor) {
+  assert(divisor != 0);
+  const std::string by = number(divisor);
+  const std::string up = call("-", call("div", call("-", a), by));
+  return call("ite", call(">=", a, "0"), call("div", a, by), up);
+}
+
+std::string wrapped16(const std::string& a) {
+  return "(- (mod (+ " + a + " 32768) 65536) 32768)";
+}
+
+/// Comments hold names from the input: nothing there may end the line.
+std::string printable(std::string text) {
+  for (char& c : text) {
+    if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) c = '?';
+  }
+  return text;
+}
+
+class ScriptWriter {
+ public:
+  ScriptWriter(const TransitionSystem& ts, const Invariant& invariant)
+      : ts_(ts), invariant_(invariant) {}
+
+  CertificateScript write() {
+    find_cone();
+    choose_names();
+    name_claims();
+    script_.k = invariant_.k;
+    script_.text = "(set-logic ";
+    script_.text += nonlinear_ ? "QF_NIA)\n" : "QF_LIA)\n";
+    declare("initial", "Bool");
+    declare("hypothesis", "Bool");
+    for (frame_ = 0; frame_ <= invariant_.k + 1; ++frame_) write_frame();
+    write_queries();
+    return std::move(script_);
+  }
+
+ private:
+  /// A term of the cone. Operands stand before the terms that use them.
+  struct Term {
+    ExprId id;
+    std::uint32_t uses = 0;     // places where its text would stand
+    std::uint32_t nesting = 0;  // of its text
+    bool named = false;         // a constant with an equation, not in place
+    bool of_state = false;      // in a lemma: written in the last frame too
+    std::string text;           // in the frame being written
+  };
+
+  const Expr& expr(ExprId id) const { return ts_.exprs[id]; }
+  Term& term(ExprId id) { return terms_[index_.at(id.index())]; }
+  const std::string& text(ExprId id) { return term(id).text; }
+  std::string suffix() const { return "@" + std::to_string(frame_); }
+  bool last() const { return frame_ == invariant_.k + 1; }
+
+  void declare(const std::string& symbol, std::string_view sort,
+               const std::string& comment = {}) {
+    script_.text += call("declare-const", symbol, sort);
+    if (!comment.empty()) script_.text += "  ; " + printable(comment);
+    script_.text += '\n';
+  }
+  void require(const std::string& condition) {
+    script_.text += call("assert", condition) + "\n";
+  }
+  void define(const std::string& symbol, std::string_view sort,
+              const std::string& value) {
+    declare(symbol, sort);
+    require(call("=", symbol, value));
+  }
+  static std::string_view sort_of(Type type) {
+    return type == Type::Bit ? "Bool" : "Int";
+  }
+
+  // --- what the certificate depends on ---------------------------------------
+
+  void find_cone() {
+    std::vector<ExprId> worklist = roots();
+    while (!worklist.empty()) {
+      const ExprId id = worklist.back();
+      worklist.pop_back();
+      if (!index_.emplace(id.index(), 0U).second) continue;
+      terms_.push_back({.id = id});
+      const Expr& e = expr(id);
+      for (const ExprId operand : {e.a, e.b, e.c}) {
+        if (operand.has_value()) worklist.push_back(operand);
+      }
+      if (e.op != ExprOp::Variable) continue;
+      variables_.push_back(e.var);
+      const Variable& variable = ts_.vars[e.var];
+      if (variable.role != VarRole::State) continue;
+      states_.push_back(variable.state);
+      worklist.push_back(ts_.states[variable.state].next);
+    }
+    std::sort(variables_.begin(), variables_.end());
+    std::sort(states_.begin(), states_.end());
+    std::sort(terms_.begin(), terms_.end(),
+              [](const Term& a, const Term& b) { return a.id < b.id; });
+    for (std::uint32_t i = 0; i < terms_.size(); ++i) {
+      index_[terms_[i].id.index()] = i;
+    }
+  }
+
+  std::vector<ExprId> roots() {
+    std::vector<ExprId> ids = invariant_.conditions;
+    ids.insert(ids.end(), ts_.constraints.begin(), ts_.constraints.end());
+    for (const LemmaClause& lemma : invariant_.lemmas) {
+      for (const LemmaAtom& atom : lemma) {
+        ids.push_back(atom.term.has_value() ? atom.term : ts_.of(atom.var));
+        if (atom.term.has_value()) continue;
+        std::uint32_t& bits = bits_[atom.var];
+        bits = std::max(bits, atom.bit + 1);
+      }
+    }
+    return ids;
+  }
+
+  void choose_names() {
+    for (const ExprId id : roots()) ++term(id).uses;
+    for (const std::uint32_t state : states_) {
+      ++term(ts_.states[state].next).uses;
+    }
+    for (const LemmaClause& lemma : invariant_.lemmas) {
+      for (const LemmaAtom& atom : lemma) {
+        const ExprId id = atom.term.has_value() ? atom.term : ts_.of(atom.var);
+        term(id).of_state = true;
+      }
+    }
+    for (std::size_t i = terms_.size(); i-- > 0;) count_uses(terms_[i]);
+    for (Term& t : terms_) choose_name(t);
+  }
+
+  void count_uses(const Term& user) {
+    const Expr& e = expr(user.id);
+    if (user.of_state && e.op == ExprOp::Variable &&
+        ts_.vars[e.var].role != VarRole::State) {
+      // In the last frame it would have no value.
+      script_.error =
+          "a lemma names `" + ts_.vars[e.var].name + "`, which is no state";
+    }
+    nonlinear_ = nonlinear_ ||
+                 (e.op == ExprOp::Multiply && !ts_.exprs.is_constant(e.a) &&
+                  !ts_.exprs.is_constant(e.b));
+    for (const ExprId id : {e.a, e.b, e.c}) {
+      if (!id.has_value()) continue;
+      Term& operand = term(id);
+      operand.of_state = operand.of_state || user.of_state;
+      // A negation is written in place, wherever it stands, and a quotient
+      // has its operand three times.
+      if (e.op == ExprOp::Not) {
+        operand.uses += user.uses;
+      } else {
+        operand.uses += e.op == ExprOp::Divide ? 3 : 1;
+      }
+    }
+  }
+
+  void choose_name(Term& t) {
+    const Expr& e = expr(t.id);
+    for (const ExprId id : {e.a, e.b, e.c}) {
+      if (!id.has_value() || term(id).named) continue;
+      t.nesting = std::max(t.nesting, term(id).nesting + 1);
+    }
+    const bool compound = e.op != ExprOp::Constant &&
+                          e.op != ExprOp::Variable && e.op != ExprOp::Not;
+    t.named = compound && (t.uses > 1 || t.nesting >= kMaxNesting);
+  }
+
+  void name_claims() {
+    const auto add = [this](ScriptClaim::Kind kind, std::string_view stem,
+                            std::size_t index) {
+      script_.claims.push_back({kind, static_cast<std::uint32_t>(index),
+                                std::string(stem) + std::to_string(index)});
+    };
+    for (const std::uint32_t state : states_) {
+      if (ts_.vars[ts_.states[state].var].type != Type::Word) continue;
+      add(ScriptClaim::Kind::Range, "range", state);
+    }
+    for (std::size_t i = 0; i < invariant_.lemmas.size(); ++i) {
+      add(ScriptClaim::Kind::Lemma, "lemma", i);
+    }
+    for (std::size_t i = 0; i < invariant_.conditions.size(); ++i) {
+      add(ScriptClaim::Kind::Condition, "condition", i);
+    }
+  }
+
+  // --- one frame -------------------------------------------------------------
+
+  /// A state and what is claimed of it; then, but for the last frame, the
+  /// scan that starts there.
+  void write_frame() {
+    script_.text += last() ? "; the last state\n"
+                           : "; scan " + std::to_string(frame_) + "\n";
+    for (const VarId var : variables_) write_variable(var);
+    write_terms();
+    for (const ScriptClaim& claim : script_.claims) write_claim(claim);
+    write_broken("broken-lemmas", false);
+    if (frame_ == 0) write_initial();
+    if (last()) return;
+    write_broken("broken-conditions", true);
+    write_constraints();
+  }
+
+  void write_variable(VarId var) {
+    const Variable& variable = ts_.vars[var];
+    const bool state = variable.role == VarRole::State;
+    if (last() && !state) return;
+    const std::string symbol = "v" + std::to_string(var.index()) + suffix();
+    declare(symbol, sort_of(variable.type), variable.name);
+    if (state && frame_ > 0) {
+      require(call("=", symbol, next_text_.at(variable.state)));
+    }
+    // A state's range is a claim; what comes from outside is assumed.
+    if (!state && variable.type == Type::Word) {
+      require(in_range(variable, symbol));
+    }
+    term(variable.expr).text = symbol;
+    const auto bits = bits_.find(var);
+    if (bits == bits_.end() || variable.type == Type::Bit) return;
+    write_bits(var, symbol, bits->second);
+  }
+
+  static std::string in_range(const Variable& variable,
+                              const std::string& symbol) {
+    return call("<=", number(variable.low), symbol, number(variable.high));
+  }
+
+  std::string bit_symbol(VarId var, std::uint32_t bit) {
+    if (ts_.vars[var].type == Type::Bit) return text(ts_.of(var));
+    return "bit" + std::to_string(var.index()) + "." + std::to_string(bit) +
+           suffix();
+  }
+
+  /// Bit i: floor(x / 2^i) is odd, which is how two's complement reads.
+  void write_bits(VarId var, const std::string& symbol, std::uint32_t count) {
+    std::string quotient = symbol;
+    for (std::uint32_t i = 0; i < count; ++i) {
+      const std::string bit = bit_symbol(var, i);
+      const std::string half = "half-" + bit;
+      define(half, "Int", call("div", quotient, "2"));
+      define(bit, "Bool",
+             call("not", call("=", quotient, call("*", "2", half))));
+      quotient = half;
+    }
+  }
+
+  void write_terms() {
+    for (Term& t : terms_) {
+      if (last() && !t.of_state) continue;
+      if (expr(t.id).op == ExprOp::Variable) continue;
+      t.text = written(expr(t.id));
+      if (!t.named) continue;
+      const std::string symbol = "t" + std::to_string(t.id.index()) + suffix();
+      define(symbol, sort_of(expr(t.id).type), t.text);
+      t.text = symbol;
+    }
+    if (last()) return;
+    for (const std::uint32_t state : states_) {
+      next_text_[state] = text(ts_.states[state].next);
+    }
+  }
+
+  std::string written(const Expr& e) {
+    switch (e.op) {
+      case ExprOp::Constant:
+        if (e.type == Type::Word) return number(e.value);
+        return e.value != 0 ? "true" : "false";
+      case ExprOp::Variable:
+        break;  // declared with the frame
+      case ExprOp::Not:
+        return call("not", text(e.a));
+      case ExprOp::And:
+        return call("and", text(e.a), text(e.b));
+      case ExprOp::Xor:
+        return call("xor", text(e.a), text(e.b));
+      case ExprOp::Equal:
+        return call("=", text(e.a), text(e.b));
+      case ExprOp::Less:
+        return call("<", text(e.a), text(e.b));
+      case ExprOp::Add:
+        return call("+", text(e.a), text(e.b));
+      case ExprOp::Multiply:
+        return call("*", text(e.a), text(e.b));
+      case ExprOp::Divide:
+        return divided(text(e.a), expr(e.b).value);
+      case ExprOp::Wrap16:
+        return wrapped16(text(e.a));
+      case ExprOp::Ite:
+        return call("ite", text(e.a), text(e.b), text(e.c));
+    }
+    assert(false);
+    return {};
+  }
+
+  // --- claims ----------------------------------------------------------------
+
+  void write_claim(const ScriptClaim& claim) {
+    const bool condition = claim.kind == ScriptClaim::Kind::Condition;
+    if (last() && condition) return;
+    const std::string symbol = claim.symbol + suffix();
+    define(symbol, "Bool", claim_text(claim));
+    // Assumed in the states 0 .. k and the scans 0 .. k - 1.
+    if (frame_ < invariant_.k + (condition ? 0U : 1U)) {
+      require(call("=>", "hypothesis", symbol));
+    }
+  }
+
+  std::string claim_text(const ScriptClaim& claim) {
+    switch (claim.kind) {
+      case ScriptClaim::Kind::Lemma:
+        return lemma_text(invariant_.lemmas[claim.index]);
+      case ScriptClaim::Kind::Condition:
+        return text(invariant_.conditions[claim.index]);
+      case ScriptClaim::Kind::Range: {
+        const VarId var = ts_.states[claim.index].var;
+        return in_range(ts_.vars[var], text(ts_.of(var)));
+      }
+    }
+    assert(false);
+    return {};
+  }
+
+  std::string lemma_text(const LemmaClause& lemma) {
+    std::vector<std::string> atoms;
+    for (const LemmaAtom& atom : lemma) {
+      std::string value = atom.term.has_value()
+                              ? text(atom.term)
+                              : bit_symbol(atom.var, atom.bit);
+      atoms.push_back(atom.negated ? call("not", value) : std::move(value));
+    }
+    return chain("or", "false", atoms);
+  }
+
+  /// `name`@f implies that a claim about the state (or, of `conditions`, about
+  /// the scan) of this frame is false.
+  void write_broken(const std::string& name, bool conditions) {
+    std::vector<std::string> broken;
+    for (const ScriptClaim& claim : script_.claims) {
+      const bool condition = claim.kind == ScriptClaim::Kind::Condition;
+      if (condition != conditions) continue;
+      broken.push_back(call("not", claim.symbol + suffix()));
+    }
+    declare(name + suffix(), "Bool");
+    require(call("=>", name + suffix(), chain("or", "false", broken)));
+  }
+
+  void write_initial() {
+    for (const std::uint32_t index : states_) {
+      const State& state = ts_.states[index];
+      const std::string& symbol = text(ts_.of(state.var));
+      if (ts_.vars[state.var].type == Type::Word) {
+        require(call("=>", "initial", call("=", symbol, number(state.init))));
+      } else {
+        require(call("=>", "initial",
+                     state.init != 0 ? symbol : call("not", symbol)));
+      }
+    }
+  }
+
+  void write_constraints() {
+    if (ts_.constraints.empty()) return;
+    declare("assumed" + suffix(), "Bool");
+    for (const ExprId constraint : ts_.constraints) {
+      require(call("=>", "assumed" + suffix(), text(constraint)));
+    }
+  }
+
+  // --- queries ---------------------------------------------------------------
+
+  /// A run may end where no further scan keeps the constraints, so a claim
+  /// about a state assumes them in the scans before it only.
+  void add_query(ScriptQuery::Part part, std::uint32_t frame, const char* start,
+                 bool conditions) {
+    ScriptQuery query{.part = part, .frame = frame};
+    query.conditions = conditions;
+    query.assumptions.emplace_back(start);
+    query.assumptions.push_back(
+        (conditions ? "broken-conditions@" : "broken-lemmas@") +
+        std::to_string(frame));
+    const std::uint32_t scans = conditions ? frame + 1 : frame;
+    for (std::uint32_t i = 0; i < scans && !ts_.constraints.empty(); ++i) {
+      query.assumptions.push_back("assumed@" + std::to_string(i));
+    }
+    script_.queries.push_back(std::move(query));
+  }
+
+  void write_queries() {
+    using Part = ScriptQuery::Part;
+    const std::uint32_t k = invariant_.k;
+    for (std::uint32_t i = 0; i <= k; ++i) {
+      add_query(Part::Initiation, i, "initial", false);
+      if (i < k) add_query(Part::Initiation, i, "initial", true);
+    }
+    add_query(Part::Consecution, k + 1, "hypothesis", false);
+    add_query(Part::Safety, k, "hypothesis", true);
+  }
+
+  const TransitionSystem& ts_;
+  const Invariant& invariant_;
+  CertificateScript script_;
+  std::vector<Term> terms_;                                 // by id
+  std::unordered_map<std::uint32_t, std::uint32_t> index_;  // in terms_
+  std::vector<VarId> variables_;
+  std::vector<std::uint32_t> states_;
+  std::map<VarId, std::uint32_t> bits_;  // how many of a word's bits have names
+  std::unordered_map<std::uint32_t, std::string> next_text_;  // by state
+  std::uint32_t frame_ = 0;
+  bool nonlinear_ = false;
+};
+
+}  // namespace
+
+std::string_view to_string(ScriptQuery::Part part) {
+  switch (part) {
+    case ScriptQuery::Part::Initiation:
+      return "initiation";
+    case ScriptQuery::Part::Consecution:
+      return "consecution";
+    case ScriptQuery::Part::Safety:
+      return "safety";
+  }
+  return {};
+}
+
+CertificateScript make_certificate_script(const TransitionSystem& ts,
+                                          const Invariant& invariant) {
+  return ScriptWriter(ts, invariant).write();
+}
+
+std::string CertificateScript::file(const std::string& title) const {
+  std::string result = "; " + printable(title) +
+                       "\n; k = " + std::to_string(k) +
+                       "; every answer must be unsat\n" + text;
+  for (const ScriptQuery& query : queries) {
+    result += "; " + std::string(to_string(query.part)) + ", frame " +
+              std::to_string(query.frame) + "\n(check-sat-assuming (";
+    for (std::size_t i = 0; i < query.assumptions.size(); ++i) {
+      result += (i == 0 ? "" : " ") + query.assumptions[i];
+    }
+    result += "))\n";
+  }
+  return result + "(exit)\n";
+}
+
+}  // namespace rung

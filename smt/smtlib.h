@@ -1,0 +1,62 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "smt/invariant.h"
+
+namespace rung {
+
+/// What a certificate claims of one scan's end, as a named Bool of the script.
+struct ScriptClaim {
+  enum class Kind : std::uint8_t { Lemma, Condition, Range };
+  Kind kind = Kind::Lemma;
+  std::uint32_t index = 0;  // of Invariant::lemmas, conditions; of the state
+  std::string symbol;       // "lemma3"; "lemma3@1" is its value in frame 1
+};
+
+/// One check-sat: with its assumptions the script is unsatisfiable when this
+/// part of the certificate is right.
+struct ScriptQuery {
+  enum class Part : std::uint8_t { Initiation, Consecution, Safety };
+  Part part = Part::Initiation;
+  std::uint32_t frame = 0;               // in which a claim would be broken
+  std::vector<std::string> assumptions;  // names of Bools of the script
+
+  /// Is it this claim, among others, that would be broken?
+  bool concerns(const ScriptClaim& claim) const {
+    return conditions == (claim.kind == ScriptClaim::Kind::Condition);
+  }
+  bool conditions = false;  // of a scan; else lemmas and ranges of a state
+};
+
+std::string_view to_string(ScriptQuery::Part part);
+
+/// An Invariant and the transition relation in SMT-LIB 2, quantifier-free
+/// linear integer arithmetic (nonlinear where the program multiplies words).
+/// It is made from the terms of the transition system alone: bits are Bool,
+/// words are Int with their ranges as claims to be proved like any lemma.
+///
+/// A fresh constant per shared term and frame, no `let` and no `define-fun`:
+/// solvers keep the sharing, and text and nesting stay small.
+struct CertificateScript {
+  std::string text;  // declarations and assertions
+  std::vector<ScriptClaim> claims;
+  std::vector<ScriptQuery> queries;
+  std::uint32_t k = 0;
+  std::string error;  // not a certificate: a lemma over an input
+
+  /// The whole file: `title` as a comment, the text and one check-sat a query,
+  /// each with its expected answer.
+  std::string file(const std::string& title) const;
+};
+
+/// Shapes: frame 0 is the state before the first of k + 1 scans; only the
+///         states that the certificate depends on are in the script.
+/// Limits: linear in the cone, times k + 1; no recursion.
+CertificateScript make_certificate_script(const TransitionSystem& ts,
+                                          const Invariant& invariant);
+
+}  // namespace rung
