@@ -38,6 +38,7 @@ struct Cell {
   std::int64_t high = 1;
   SourceRange where;           // first mention
   bool plant_written = false;  // an input that the `//Sim` plant assigns
+  bool initialised = false;    // the text says its initial value (`//Var`)
   bool declared = false;       // by an `//@ input` or `//@ output` line
 };
 

@@ -1,8 +1,9 @@
 #include "analysis/rules/program_index.h"
 
 #include <algorithm>
-#include <string>
 #include <string_view>
+
+#include "analysis/rules/components.h"
 
 namespace rung {
 
@@ -146,6 +147,7 @@ ProgramIndex::ProgramIndex(const Program& program,
     : plant_reads(program.cells.size()),
       plant_writes(program.cells.size()),
       mentioned(program.cells.size()),
+      component(cell_components(program)),
       read_by_others(program.cells.size()) {
   names.reserve(program.cells.size());
   for (const CellId id : ids_of(program.cells)) {

@@ -60,7 +60,8 @@ struct ProgramIndex {
     return read_by_others[i] || plant_reads[i] || mentioned[i];
   }
 
-  std::vector<bool> read_by_others;  // by cell: in a rung of another target
+  std::vector<std::uint32_t> component;  // by cell: cell_components()
+  std::vector<bool> read_by_others;      // by cell: in a rung of another target
   std::unordered_map<std::string_view, CellId> names;
 
   static constexpr std::uint32_t kNone = 0xffff'ffff;

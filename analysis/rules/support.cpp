@@ -71,6 +71,11 @@ Contact contact_at(const Program& program, std::uint32_t node) {
   return {program.nodes[node].cell, inverted};
 }
 
+bool is_literal(const RuleRun& run, RungId rung) {
+  const Rung& it = run.program.rungs[rung];
+  return run.program.nodes[it.root()].op == NodeOp::Constant;
+}
+
 bool same_structure(const RuleRun& run, std::uint32_t left,
                     std::uint32_t right) {
   const std::vector<Node>& nodes = run.program.nodes;
@@ -86,6 +91,38 @@ bool same_structure(const RuleRun& run, std::uint32_t left,
     }
   }
   return true;
+}
+
+namespace {
+
+bool calls_differ(const RuleRun& run, const ElementCall& a,
+                  const ElementCall& b) {
+  if (a.parameter != b.parameter || a.operation != b.operation) return true;
+  for (std::size_t i = 0; i < a.arguments.size(); ++i) {
+    if (!same_structure(run, a.arguments[i], b.arguments[i])) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+Twins conflicting_calls(const RuleRun& run, InstanceId instance) {
+  Twins twins;
+  for (const std::uint32_t index : run.index.calls[instance.index()]) {
+    const CallId id(index);
+    const ElementCall& call = run.program.calls[id];
+    if (call.operation->resets) continue;
+    if (!twins.first.has_value()) {
+      twins.first = id;
+      continue;
+    }
+    const bool differ = calls_differ(run, run.program.calls[twins.first], call);
+    if (!twins.second.has_value() || differ) {
+      twins = {twins.first, id, differ};
+    }
+    if (differ) break;
+  }
+  return twins;
 }
 
 std::string_view family_name(const Instance& instance) {

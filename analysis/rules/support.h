@@ -43,6 +43,9 @@ struct Contact {
 /// The contact that the node is; no cell when it is something else.
 Contact contact_at(const Program& program, std::uint32_t node);
 
+/// Is the rung's expression a literal and nothing else?
+bool is_literal(const RuleRun& run, RungId rung);
+
 inline bool is_and_or(NodeOp op) {
   return op == NodeOp::And || op == NodeOp::Or;
 }
@@ -58,7 +61,16 @@ inline bool is_comparison(NodeOp op) {
 bool same_structure(const RuleRun& run, std::uint32_t left,
                     std::uint32_t right);
 
-/// The bit or word states' families, in words: "timer", "counter", "edge".
+/// Two calls that run (not reset) one instance; no second when only one does.
+struct Twins {
+  CallId first;
+  CallId second;
+  bool differ = false;  // in preset or inputs
+};
+/// The first pair that differs, else the first pair.
+Twins conflicting_calls(const RuleRun& run, InstanceId instance);
+
+/// In words: "timer", "counter", "edge".
 std::string_view family_name(const Instance& instance);
 
 /// The letters of the operation that resets the kind ("TR"); empty when there
