@@ -1,0 +1,111 @@
+#include "smt/bmc.h"
+
+#include <algorithm>
+
+namespace rung {
+namespace {
+
+std::uint64_t stretch_scans(std::int64_t delta, const ScanInterval& scan) {
+  const std::int64_t longest = std::max<std::int64_t>(scan.max_ms, 1);
+  return static_cast<std::uint64_t>((delta + longest - 1) / longest);
+}
+
+}  // namespace
+
+std::uint64_t scan_count(const Run& run, const ScanInterval& scan) {
+  std::uint64_t scans = 0;
+  for (const RunStep& step : run) scans += 1 + stretch_scans(step.delta, scan);
+  return scans;
+}
+
+BoundedSearch::BoundedSearch(Slice& slice, const JumpCircuit* jump,
+                             AigLit never, const Deadline& deadline)
+    : slice_(&slice),
+      jump_(jump != nullptr && jump->useful() ? jump : nullptr),
+      never_(never),
+      frames_(slice.circuit().aig(),
+              jump_ != nullptr ? jump_->bits() : slice.bits(),
+              Unrolling::Start::Initial),
+      sat_(&deadline),
+      clauses_(frames_.aig(), sat_) {}
+
+void BoundedSearch::extend(std::uint32_t depth) {
+  for (; extended_ < depth; ++extended_) {
+    clauses_.require(copied(extended_, slice_->constraint()));
+    clauses_.require(aig_not(copied(extended_, never_)));
+    if (jump_ != nullptr && extended_ > 0) {
+      clauses_.require(copied(extended_ - 1, jump_->allowed()));
+    }
+  }
+}
+
+BoundedSearch::Result BoundedSearch::search(std::uint32_t depth,
+                                            const std::vector<AigLit>& targets,
+                                            const BmcLimits& limits) {
+  extend(depth);
+  std::vector<AigLit> goals;
+  AigLit any = kAigFalse;
+  for (AigLit target : targets) {
+    goals.push_back(copied(depth - 1, target));
+    any = frames_.aig().disjunction(any, goals.back());
+  }
+  if (any == kAigFalse) return {};
+  sat_.assume(clauses_.literal(any));
+  const SatAnswer answer = sat_.solve(limits.conflicts);
+  if (answer == SatAnswer::Unsat) return {};
+  if (answer == SatAnswer::Unknown) return {Answer::Unknown, 0, {}};
+  Result result{Answer::Found, 0, decode(depth)};
+  while (!(goals[result.target] == kAigTrue ||
+           (clauses_.known_literal(goals[result.target]) != 0 &&
+            clauses_.value(goals[result.target])))) {
+    ++result.target;
+  }
+  if (limits.minimise_queries == 0) return result;
+  best_ = std::move(result.run);
+  kept_ = {goals[result.target]};
+  std::uint32_t queries = limits.minimise_queries;
+  fewest_scans(depth, queries);
+  calmest_inputs(depth, queries);
+  result.run = std::move(best_);
+  return result;
+}
+
+Word BoundedSearch::copied(std::uint32_t frame, const Word& word) {
+  Word result;
+  for (AigLit bit : word) result.push_back(copied(frame, bit));
+  return result;
+}
+
+std::int64_t BoundedSearch::value(std::uint32_t frame, const Word& word) {
+  std::uint64_t bits = 0;
+  for (std::size_t i = 0; i < 64; ++i) {
+    const AigLit bit = copied(frame, word[std::min(i, word.size() - 1)]);
+    bits |= std::uint64_t{clauses_.value(bit)} << i;
+  }
+  return static_cast<std::int64_t>(bits);
+}
+
+Run BoundedSearch::decode(std::uint32_t depth) {
+  Run run;
+  const TransitionSystem& ts = slice_->ts();
+  for (std::uint32_t frame = 0; frame < depth; ++frame) {
+    RunStep step;
+    for (VarId input : slice_->inputs()) {
+      const Variable& var = ts.vars[input];
+      const Word& leaves = slice_->circuit().leaves(input);
+      const bool word = var.type == Type::Word;
+      const std::int64_t x =
+          word ? value(frame, leaves)
+               : std::int64_t{clauses_.value(copied(frame, leaves.front()))};
+      // An input that nothing in this run reads has no value yet.
+      step.inputs.push_back(std::clamp(x, var.low, var.high));
+    }
+    const bool stretch = jump_ != nullptr && frame + 1 < depth &&
+                         clauses_.value(copied(frame, jump_->taken()));
+    if (stretch) step.delta = value(frame, jump_->delta());
+    run.push_back(std::move(step));
+  }
+  return run;
+}
+
+}  // namespace rung

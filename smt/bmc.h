@@ -1,0 +1,74 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "smt/jump.h"
+#include "smt/sat.h"
+#include "smt/slice.h"
+
+namespace rung {
+
+/// One scan of a found run and the stretch behind it.
+struct RunStep {
+  std::vector<std::int64_t> inputs;  // in the order of Slice::inputs()
+  std::int64_t delta = 0;            // ms of the stretch; 0: none
+};
+using Run = std::vector<RunStep>;
+
+/// Scans that a run has when its stretches take as few as they can.
+std::uint64_t scan_count(const Run& run, const ScanInterval& scan);
+
+struct BmcLimits {
+  std::int64_t conflicts = -1;        // a query; < 0: none
+  std::uint32_t minimise_queries = 0;  // for each run found; 0: leave as found
+};
+
+/// Searches runs from power-up by their length in steps of a JumpCircuit.
+///
+/// Source: Biere, Cimatti, Clarke, Zhu, "Symbolic Model Checking without
+///         BDDs", TACAS 1999; the stretch is this project's.
+class BoundedSearch {
+ public:
+  /// Runs of which `never` holds in some step are not considered: there the
+  /// encoding is not the program.
+  BoundedSearch(Slice& slice, const JumpCircuit* jump, AigLit never,
+                const Deadline& deadline);
+
+  /// Searches for runs of exactly `depth` steps (from 1) at whose end a target
+  /// holds, over the slice's step graph.
+  enum class Answer : std::uint8_t { Found, None, Unknown };
+  struct Result {
+    Answer answer = Answer::None;
+    std::size_t target = 0;  // an index, of the one that was found
+    Run run;
+  };
+  Result search(std::uint32_t depth, const std::vector<AigLit>& targets,
+                const BmcLimits& limits);
+
+ private:
+  void extend(std::uint32_t depth);
+  Run decode(std::uint32_t depth);
+  std::int64_t value(std::uint32_t frame, const Word& word);
+  AigLit copied(std::uint32_t frame, AigLit of) { return frames_.at(frame, of); }
+  Word copied(std::uint32_t frame, const Word& word);
+  /// Solves with `kept_`, the goal and one literal more.
+  bool holds_with(AigLit more, std::int64_t conflicts);
+  void fewest_scans(std::uint32_t depth, std::uint32_t& queries);
+  void calmest_inputs(std::uint32_t depth, std::uint32_t& queries);
+  void keep(AigLit wish, std::uint32_t& queries);
+  AigLit unchanged(std::uint32_t frame, VarId input);
+
+  Slice* slice_;
+  const JumpCircuit* jump_;  // null: scans only
+  AigLit never_;
+  Unrolling frames_;
+  Sat sat_;
+  AigClauses clauses_;
+  std::uint32_t extended_ = 0;
+  std::vector<AigLit> kept_;  // while minimising: what the run must meet
+  Run best_;
+};
+
+}  // namespace rung

@@ -1,0 +1,66 @@
+#pragma once
+
+#include <cstdint>
+#include <unordered_map>
+#include <vector>
+
+#include "smt/slice.h"
+
+namespace rung {
+
+/// The term min(x + dt, cap) of every clock x, by state index; no value for
+/// states that are none. Made before slices are, because it may add terms.
+std::vector<ExprId> growth_terms(TransitionSystem& ts);
+
+/// A scan and, behind it, a stretch: when the scan changed nothing but clocks,
+/// more scans with the same inputs may follow at once, as long as no comparison
+/// that reads a clock changes its answer. They are one step of the search,
+/// whose length `delta` is any sum of `scans` legal dt's; all clocks that grew
+/// in the scan grow by it. So an hour costs one step.
+///
+/// Exact for what it finds: a step expands into those scans.
+/// Comparisons of sums of several clocks may flip twice in a stretch unseen:
+/// so a run found is checked scan by scan before it counts.
+class JumpCircuit {
+ public:
+  JumpCircuit(Slice& slice, const std::vector<ExprId>& growth);
+
+  /// No clock in the slice: then no stretch is ever worth anything.
+  bool useful() const { return useful_; }
+  AigLit taken() const { return taken_; }
+  const Word& delta() const { return delta_; }
+  const Word& scans() const { return scans_; }
+  /// Must hold in every step: a stretch that is taken is one that may be.
+  AigLit allowed() const { return allowed_; }
+  /// As Slice::bits(), with the values after the stretch.
+  const std::vector<StateBit>& bits() const { return bits_; }
+
+ private:
+  void add_leaves();
+  Word grown_word(std::uint32_t state);
+  Word leaf_word(std::int64_t high);
+  void visit(ExprId term);
+  void stretch_term(ExprId id, const Expr& e);
+  void compare(ExprId id, const Expr& e);
+  const Word& stretched(ExprId id);
+  bool depends(ExprId id) const { return stretched_.count(id) != 0; }
+  Word stretched_word(const Expr& e);
+  void finish();
+
+  Slice* slice_;
+  const std::vector<ExprId>* growth_;
+  bool useful_ = false;
+  AigLit taken_ = kAigFalse;
+  Word delta_;
+  Word scans_;
+  AigLit allowed_ = kAigTrue;
+  AigLit same_ = kAigTrue;  // no comparison flips
+  std::vector<StateBit> bits_;
+  /// Values in the last scan of the stretch, of the terms that differ there.
+  std::unordered_map<ExprId, Word> stretched_;
+  std::unordered_map<ExprId, std::uint32_t> grown_;  // growth term: its state
+  std::unordered_map<ExprId, bool> seen_;
+  std::vector<ExprId> stack_;
+};
+
+}  // namespace rung

@@ -1,0 +1,141 @@
+#include "smt/sat.h"
+
+#include <cadical.hpp>
+#include <chrono>
+
+namespace rung {
+namespace {
+
+std::int64_t now_ns() {
+  return std::chrono::duration_cast<std::chrono::nanoseconds>(
+             std::chrono::steady_clock::now().time_since_epoch())
+      .count();
+}
+
+/// CaDiCaL asks at every conflict and decision; the clock costs more than
+/// most of those.
+class DeadlineTerminator : public CaDiCaL::Terminator {
+ public:
+  explicit DeadlineTerminator(const Deadline* deadline) : deadline_(deadline) {}
+  bool terminate() override {
+    if (deadline_ == nullptr || ++asked_ % 64 != 0) return false;
+    return deadline_->passed();
+  }
+
+ private:
+  const Deadline* deadline_;
+  unsigned asked_ = 0;
+};
+
+}  // namespace
+
+Deadline::Deadline(double seconds)
+    : at_ns_(now_ns() + static_cast<std::int64_t>(seconds * 1e9)) {}
+
+bool Deadline::passed() const { return now_ns() >= at_ns_; }
+
+struct Sat::Impl {
+  explicit Impl(const Deadline* deadline) : terminator(deadline) {}
+  CaDiCaL::Solver solver;
+  DeadlineTerminator terminator;
+  int variables = 0;
+};
+
+Sat::Sat(const Deadline* deadline) : impl_(std::make_unique<Impl>(deadline)) {
+  impl_->solver.set("quiet", 1);
+  impl_->solver.connect_terminator(&impl_->terminator);
+}
+
+Sat::~Sat() { impl_->solver.disconnect_terminator(); }
+
+int Sat::new_variable() { return ++impl_->variables; }
+
+void Sat::add(std::initializer_list<int> clause) {
+  for (int literal : clause) impl_->solver.add(literal);
+  impl_->solver.add(0);
+}
+
+void Sat::add(const std::vector<int>& clause) {
+  for (int literal : clause) impl_->solver.add(literal);
+  impl_->solver.add(0);
+}
+
+void Sat::assume(int literal) { impl_->solver.assume(literal); }
+
+void Sat::constrain(const std::vector<int>& clause) {
+  for (int literal : clause) impl_->solver.constrain(literal);
+  impl_->solver.constrain(0);
+}
+
+SatAnswer Sat::solve(std::int64_t conflicts) {
+  // An unused variable must be known to the solver before value() asks it.
+  impl_->solver.reserve(impl_->variables);
+  if (conflicts >= 0) {
+    impl_->solver.limit("conflicts", static_cast<int>(conflicts));
+  }
+  switch (impl_->solver.solve()) {
+    case 10:
+      return SatAnswer::Sat;
+    case 20:
+      return SatAnswer::Unsat;
+    default:
+      return SatAnswer::Unknown;
+  }
+}
+
+bool Sat::value(int literal) const { return impl_->solver.val(literal) > 0; }
+bool Sat::failed(int literal) const { return impl_->solver.failed(literal); }
+void Sat::phase(int literal) { impl_->solver.phase(literal); }
+
+AigClauses::AigClauses(const Aig& aig, Sat& sat) : aig_(&aig), sat_(&sat) {}
+
+void AigClauses::define(std::uint32_t node) {
+  const int v = sat_->new_variable();
+  variable_[node] = v;
+  if (node == 0) return sat_->add({-v});
+  if (!aig_->is_gate(node)) return;
+  const int a = known_literal(aig_->left(node));
+  const int b = known_literal(aig_->right(node));
+  sat_->add({-v, a});
+  sat_->add({-v, b});
+  sat_->add({v, -a, -b});
+}
+
+int AigClauses::known_literal(AigLit a) const {
+  if (aig_node(a) >= variable_.size()) return 0;
+  const int v = variable_[aig_node(a)];
+  return aig_inverted(a) ? -v : v;
+}
+
+int AigClauses::literal(AigLit a) {
+  if (variable_.size() < aig_->size()) variable_.resize(aig_->size(), 0);
+  stack_.push_back(aig_node(a));
+  while (!stack_.empty()) {
+    const std::uint32_t node = stack_.back();
+    if (variable_[node] != 0) {
+      stack_.pop_back();
+      continue;
+    }
+    bool ready = true;
+    if (aig_->is_gate(node)) {
+      for (AigLit operand : {aig_->left(node), aig_->right(node)}) {
+        if (variable_[aig_node(operand)] != 0) continue;
+        stack_.push_back(aig_node(operand));
+        ready = false;
+      }
+    }
+    if (!ready) continue;
+    stack_.pop_back();
+    define(node);
+  }
+  return known_literal(a);
+}
+
+bool AigClauses::value(AigLit a) const {
+  const int literal = known_literal(a);
+  return literal == 0 ? aig_inverted(a) : sat_->value(literal);
+}
+
+void AigClauses::require(AigLit a) { sat_->add({literal(a)}); }
+
+}  // namespace rung
