@@ -3,35 +3,21 @@
 #include <algorithm>
 
 namespace rung {
-namespace {
 
-std::uint64_t stretch_scans(std::int64_t delta, const ScanInterval& scan) {
-  const std::int64_t longest = std::max<std::int64_t>(scan.max_ms, 1);
-  return static_cast<std::uint64_t>((delta + longest - 1) / longest);
-}
-
-}  // namespace
-
-std::uint64_t scan_count(const Run& run, const ScanInterval& scan) {
-  std::uint64_t scans = 0;
-  for (const RunStep& step : run) scans += 1 + stretch_scans(step.delta, scan);
-  return scans;
-}
-
-BoundedSearch::BoundedSearch(Slice& slice, const JumpCircuit* jump,
+BoundedSearch::BoundedSearch(Cone& cone, const JumpCircuit* jump,
                              AigLit never, const Deadline& deadline)
-    : slice_(&slice),
+    : cone_(&cone),
       jump_(jump != nullptr && jump->useful() ? jump : nullptr),
       never_(never),
-      frames_(slice.circuit().aig(),
-              jump_ != nullptr ? jump_->bits() : slice.bits(),
+      frames_(cone.circuit().aig(),
+              jump_ != nullptr ? jump_->bits() : cone.bits(),
               Unrolling::Start::Initial),
       sat_(&deadline),
       clauses_(frames_.aig(), sat_) {}
 
 void BoundedSearch::extend(std::uint32_t depth) {
   for (; extended_ < depth; ++extended_) {
-    clauses_.require(copied(extended_, slice_->constraint()));
+    clauses_.require(copied(extended_, cone_->constraint()));
     clauses_.require(aig_not(copied(extended_, never_)));
     if (jump_ != nullptr && extended_ > 0) {
       clauses_.require(copied(extended_ - 1, jump_->allowed()));
@@ -50,16 +36,14 @@ BoundedSearch::Result BoundedSearch::search(std::uint32_t depth,
     any = frames_.aig().disjunction(any, goals.back());
   }
   if (any == kAigFalse) return {};
+  // Rewriting may have left a goal out of the cone of `any`.
+  for (AigLit goal : goals) clauses_.literal(goal);
   sat_.assume(clauses_.literal(any));
   const SatAnswer answer = sat_.solve(limits.conflicts);
   if (answer == SatAnswer::Unsat) return {};
   if (answer == SatAnswer::Unknown) return {Answer::Unknown, 0, {}};
   Result result{Answer::Found, 0, decode(depth)};
-  while (!(goals[result.target] == kAigTrue ||
-           (clauses_.known_literal(goals[result.target]) != 0 &&
-            clauses_.value(goals[result.target])))) {
-    ++result.target;
-  }
+  while (!clauses_.value(goals[result.target])) ++result.target;
   if (limits.minimise_queries == 0) return result;
   best_ = std::move(result.run);
   kept_ = {goals[result.target]};
@@ -87,12 +71,12 @@ std::int64_t BoundedSearch::value(std::uint32_t frame, const Word& word) {
 
 Run BoundedSearch::decode(std::uint32_t depth) {
   Run run;
-  const TransitionSystem& ts = slice_->ts();
+  const TransitionSystem& ts = cone_->ts();
   for (std::uint32_t frame = 0; frame < depth; ++frame) {
     RunStep step;
-    for (VarId input : slice_->inputs()) {
+    for (VarId input : cone_->inputs()) {
       const Variable& var = ts.vars[input];
-      const Word& leaves = slice_->circuit().leaves(input);
+      const Word& leaves = cone_->circuit().leaves(input);
       const bool word = var.type == Type::Word;
       const std::int64_t x =
           word ? value(frame, leaves)

@@ -1,24 +1,14 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
 #include <vector>
 
 #include "smt/jump.h"
+#include "smt/run.h"
 #include "smt/sat.h"
-#include "smt/slice.h"
+#include "smt/cone.h"
 
 namespace rung {
-
-/// One scan of a found run and the stretch behind it.
-struct RunStep {
-  std::vector<std::int64_t> inputs;  // in the order of Slice::inputs()
-  std::int64_t delta = 0;            // ms of the stretch; 0: none
-};
-using Run = std::vector<RunStep>;
-
-/// Scans that a run has when its stretches take as few as they can.
-std::uint64_t scan_count(const Run& run, const ScanInterval& scan);
 
 struct BmcLimits {
   std::int64_t conflicts = -1;        // a query; < 0: none
@@ -33,11 +23,11 @@ class BoundedSearch {
  public:
   /// Runs of which `never` holds in some step are not considered: there the
   /// encoding is not the program.
-  BoundedSearch(Slice& slice, const JumpCircuit* jump, AigLit never,
+  BoundedSearch(Cone& cone, const JumpCircuit* jump, AigLit never,
                 const Deadline& deadline);
 
   /// Searches for runs of exactly `depth` steps (from 1) at whose end a target
-  /// holds, over the slice's step graph.
+  /// holds, over the cone's step graph.
   enum class Answer : std::uint8_t { Found, None, Unknown };
   struct Result {
     Answer answer = Answer::None;
@@ -60,7 +50,7 @@ class BoundedSearch {
   void keep(AigLit wish, std::uint32_t& queries);
   AigLit unchanged(std::uint32_t frame, VarId input);
 
-  Slice* slice_;
+  Cone* cone_;
   const JumpCircuit* jump_;  // null: scans only
   AigLit never_;
   Unrolling frames_;

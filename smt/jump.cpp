@@ -15,17 +15,17 @@ std::vector<ExprId> growth_terms(TransitionSystem& ts) {
   return growth;
 }
 
-JumpCircuit::JumpCircuit(Slice& slice, const std::vector<ExprId>& growth)
-    : slice_(&slice), growth_(&growth), bits_(slice.bits()) {
-  const TransitionSystem& ts = slice.ts();
-  for (std::uint32_t state : slice.states()) {
+JumpCircuit::JumpCircuit(Cone& cone, const std::vector<ExprId>& growth)
+    : cone_(&cone), growth_(&growth), bits_(cone.bits()) {
+  const TransitionSystem& ts = cone.ts();
+  for (std::uint32_t state : cone.states()) {
     if (!ts.states[state].clock) continue;
     grown_[growth[state]] = state;
     useful_ = ts.scan.max_ms > 0;
   }
   if (!useful_) return;
   add_leaves();
-  for (std::uint32_t state : slice.states()) visit(ts.states[state].next);
+  for (std::uint32_t state : cone.states()) visit(ts.states[state].next);
   for (ExprId constraint : ts.constraints) visit(constraint);
   finish();
 }
@@ -33,21 +33,21 @@ JumpCircuit::JumpCircuit(Slice& slice, const std::vector<ExprId>& growth)
 Word JumpCircuit::leaf_word(std::int64_t high) {
   Word word;
   for (std::uint32_t i = word_width(0, high) - 1; i > 0; --i) {
-    word.push_back(slice_->circuit().aig().input());
+    word.push_back(cone_->circuit().aig().input());
   }
   word.push_back(kAigFalse);
   return word;
 }
 
 void JumpCircuit::add_leaves() {
-  const TransitionSystem& ts = slice_->ts();
+  const TransitionSystem& ts = cone_->ts();
   std::int64_t longest = 1;
-  for (std::uint32_t state : slice_->states()) {
+  for (std::uint32_t state : cone_->states()) {
     if (ts.states[state].clock) {
       longest = std::max(longest, ts.states[state].cap);
     }
   }
-  Aig& aig = slice_->circuit().aig();
+  Aig& aig = cone_->circuit().aig();
   taken_ = aig.input();
   delta_ = leaf_word(longest);
   scans_ = leaf_word(longest / std::max<std::int64_t>(ts.scan.min_ms, 1) + 1);
@@ -62,7 +62,7 @@ void JumpCircuit::add_leaves() {
 
 /// Visits the terms under `root` once, operands first.
 void JumpCircuit::visit(ExprId root) {
-  const ExprArena& exprs = slice_->ts().exprs;
+  const ExprArena& exprs = cone_->ts().exprs;
   stack_.push_back(root);
   while (!stack_.empty()) {
     const ExprId id = stack_.back();
@@ -88,20 +88,20 @@ void JumpCircuit::visit(ExprId root) {
 
 const Word& JumpCircuit::stretched(ExprId id) {
   const auto found = stretched_.find(id);
-  return found == stretched_.end() ? slice_->circuit().word(id) : found->second;
+  return found == stretched_.end() ? cone_->circuit().word(id) : found->second;
 }
 
 /// min(x + delta, cap), x as the first scan left it.
 Word JumpCircuit::grown_word(std::uint32_t state) {
-  Aig& aig = slice_->circuit().aig();
-  const Word cap = word_constant(slice_->ts().states[state].cap);
-  const Word sum = word_add(aig, slice_->circuit().next(state), delta_);
+  Aig& aig = cone_->circuit().aig();
+  const Word cap = word_constant(cone_->ts().states[state].cap);
+  const Word sum = word_add(aig, cone_->circuit().next(state), delta_);
   return word_choose(aig, word_less(aig, sum, cap), sum, cap);
 }
 
 void JumpCircuit::stretch_term(ExprId id, const Expr& e) {
-  const TransitionSystem& ts = slice_->ts();
-  Aig& aig = slice_->circuit().aig();
+  const TransitionSystem& ts = cone_->ts();
+  Aig& aig = cone_->circuit().aig();
   if (const auto grown = grown_.find(id); grown != grown_.end()) {
     stretched_[id] = grown_word(grown->second);
   } else if (e.op == ExprOp::Variable) {
@@ -110,11 +110,11 @@ void JumpCircuit::stretch_term(ExprId id, const Expr& e) {
     // What it is before the last scan lies between these two, and comparisons
     // with it are watched from the first scan to the later of them.
     const ExprId running = ts.states[var.state].running;
-    const AigLit runs = slice_->circuit().has(running)
-                            ? slice_->circuit().bit(running)
+    const AigLit runs = cone_->circuit().has(running)
+                            ? cone_->circuit().bit(running)
                             : kAigTrue;
     stretched_[id] = word_choose(aig, runs, grown_word(var.state),
-                                 slice_->circuit().next(var.state));
+                                 cone_->circuit().next(var.state));
   } else if (e.op == ExprOp::Equal || e.op == ExprOp::Less) {
     if (depends(e.a) || depends(e.b)) compare(id, e);
   } else if (e.type == Type::Word) {
@@ -127,7 +127,7 @@ void JumpCircuit::stretch_term(ExprId id, const Expr& e) {
 }
 
 void JumpCircuit::compare(ExprId id, const Expr& e) {
-  StepCircuit& circuit = slice_->circuit();
+  StepCircuit& circuit = cone_->circuit();
   Aig& aig = circuit.aig();
   const auto keep = [&](AigLit before, AigLit after) {
     same_ = aig.conjunction(same_, aig_not(aig.exclusive_or(before, after)));
@@ -142,19 +142,19 @@ void JumpCircuit::compare(ExprId id, const Expr& e) {
 }
 
 Word JumpCircuit::stretched_word(const Expr& e) {
-  Aig& aig = slice_->circuit().aig();
+  Aig& aig = cone_->circuit().aig();
   switch (e.op) {
     case ExprOp::Add:
       return word_add(aig, stretched(e.a), stretched(e.b));
     case ExprOp::Multiply:
       return word_multiply(aig, stretched(e.a), stretched(e.b));
     case ExprOp::Divide:
-      return word_divide(aig, stretched(e.a), slice_->ts().exprs[e.b].value);
+      return word_divide(aig, stretched(e.a), cone_->ts().exprs[e.b].value);
     case ExprOp::Wrap16:
       return word_resize(stretched(e.a), 16);
     case ExprOp::Ite:
       // The condition is as in the first scan: no comparison under it flips.
-      return word_choose(aig, slice_->circuit().bit(e.a), stretched(e.b),
+      return word_choose(aig, cone_->circuit().bit(e.a), stretched(e.b),
                          stretched(e.c));
     case ExprOp::Constant:
     case ExprOp::Variable:
@@ -169,12 +169,12 @@ Word JumpCircuit::stretched_word(const Expr& e) {
 }
 
 void JumpCircuit::finish() {
-  StepCircuit& circuit = slice_->circuit();
+  StepCircuit& circuit = cone_->circuit();
   Aig& aig = circuit.aig();
-  const TransitionSystem& ts = slice_->ts();
+  const TransitionSystem& ts = cone_->ts();
   AigLit quiet = same_;
   bits_.clear();
-  for (std::uint32_t state : slice_->states()) {
+  for (std::uint32_t state : cone_->states()) {
     const Word leaves = circuit.leaves(ts.states[state].var);
     const Word next = circuit.next(state);
     const Word later = word_resize(stretched(ts.states[state].next),

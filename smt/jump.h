@@ -4,7 +4,7 @@
 #include <unordered_map>
 #include <vector>
 
-#include "smt/slice.h"
+#include "smt/cone.h"
 
 namespace rung {
 
@@ -23,16 +23,16 @@ std::vector<ExprId> growth_terms(TransitionSystem& ts);
 /// so a run found is checked scan by scan before it counts.
 class JumpCircuit {
  public:
-  JumpCircuit(Slice& slice, const std::vector<ExprId>& growth);
+  JumpCircuit(Cone& cone, const std::vector<ExprId>& growth);
 
-  /// No clock in the slice: then no stretch is ever worth anything.
+  /// No clock in the cone: then no stretch is ever worth anything.
   bool useful() const { return useful_; }
   AigLit taken() const { return taken_; }
   const Word& delta() const { return delta_; }
   const Word& scans() const { return scans_; }
   /// Must hold in every step: a stretch that is taken is one that may be.
   AigLit allowed() const { return allowed_; }
-  /// As Slice::bits(), with the values after the stretch.
+  /// As Cone::bits(), with the values after the stretch.
   const std::vector<StateBit>& bits() const { return bits_; }
 
  private:
@@ -47,7 +47,7 @@ class JumpCircuit {
   Word stretched_word(const Expr& e);
   void finish();
 
-  Slice* slice_;
+  Cone* cone_;
   const std::vector<ExprId>* growth_;
   bool useful_ = false;
   AigLit taken_ = kAigFalse;

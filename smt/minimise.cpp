@@ -19,7 +19,7 @@ bool BoundedSearch::holds_with(AigLit more, std::int64_t conflicts) {
 }
 
 void BoundedSearch::fewest_scans(std::uint32_t depth, std::uint32_t& queries) {
-  const ScanInterval& scan = slice_->ts().scan;
+  const ScanInterval& scan = cone_->ts().scan;
   std::uint64_t most = scan_count(best_, scan);
   std::uint64_t least = depth;
   if (most == least || jump_ == nullptr) return;
@@ -50,10 +50,10 @@ void BoundedSearch::fewest_scans(std::uint32_t depth, std::uint32_t& queries) {
 
 /// Input as in the frame before; in the first one 0, or as near as it may be.
 AigLit BoundedSearch::unchanged(std::uint32_t frame, VarId input) {
-  const Variable& var = slice_->ts().vars[input];
-  const Word now = copied(frame, slice_->circuit().leaves(input));
+  const Variable& var = cone_->ts().vars[input];
+  const Word now = copied(frame, cone_->circuit().leaves(input));
   if (frame > 0) {
-    const Word before = copied(frame - 1, slice_->circuit().leaves(input));
+    const Word before = copied(frame - 1, cone_->circuit().leaves(input));
     return word_equal(frames_.aig(), now, before);
   }
   const std::int64_t rest = std::clamp<std::int64_t>(0, var.low, var.high);
@@ -74,7 +74,7 @@ void BoundedSearch::calmest_inputs(std::uint32_t depth,
   AigLit all = kAigTrue;
   std::vector<AigLit> wishes;
   for (std::uint32_t frame = 0; frame < depth; ++frame) {
-    for (VarId input : slice_->inputs()) {
+    for (VarId input : cone_->inputs()) {
       wishes.push_back(unchanged(frame, input));
       all = frames_.aig().conjunction(all, wishes.back());
     }

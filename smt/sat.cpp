@@ -34,6 +34,8 @@ Deadline::Deadline(double seconds)
 
 bool Deadline::passed() const { return now_ns() >= at_ns_; }
 
+std::string sat_version() { return CaDiCaL::Solver::version(); }
+
 struct Sat::Impl {
   explicit Impl(const Deadline* deadline) : terminator(deadline) {}
   CaDiCaL::Solver solver;

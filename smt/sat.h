@@ -1,7 +1,9 @@
 #pragma once
 
 #include <cstdint>
+#include <initializer_list>
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "smt/aig.h"
@@ -18,6 +20,9 @@ class Deadline {
  private:
   std::int64_t at_ns_ = 0;
 };
+
+/// The solver's version.
+std::string sat_version();
 
 enum class SatAnswer : std::uint8_t { Sat, Unsat, Unknown };
 

@@ -1,4 +1,4 @@
-#include "smt/slice.h"
+#include "smt/cone.h"
 
 #include <algorithm>
 
@@ -15,7 +15,7 @@ void append_bits(const StepCircuit& circuit, std::uint32_t state,
   }
 }
 
-Slice::Slice(const TransitionSystem& ts, const std::vector<ExprId>& roots)
+Cone::Cone(const TransitionSystem& ts, const std::vector<ExprId>& roots)
     : circuit_(ts) {
   for (ExprId root : roots) roots_.push_back(circuit_.bit(root));
   for (ExprId constraint : ts.constraints) {

@@ -11,9 +11,9 @@ namespace rung {
 /// The part of a transition system that some terms depend on, through any
 /// number of scans, as a circuit. The constraints of the system, with what
 /// they depend on, are always in it.
-class Slice {
+class Cone {
  public:
-  Slice(const TransitionSystem& ts, const std::vector<ExprId>& roots);
+  Cone(const TransitionSystem& ts, const std::vector<ExprId>& roots);
 
   const TransitionSystem& ts() const { return circuit_.ts(); }
   StepCircuit& circuit() { return circuit_; }
@@ -29,7 +29,7 @@ class Slice {
   AigLit constraint() const { return constraint_; }
   /// Every state word is in its range: holds from power-up by construction.
   AigLit ranges() const { return ranges_; }
-  /// Terms that the slice was made for may be bits of it: same index.
+  /// Terms that the cone was made for may be bits of it: same index.
   const std::vector<AigLit>& roots() const { return roots_; }
 
  private:

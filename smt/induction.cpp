@@ -1,0 +1,162 @@
+#include "smt/induction.h"
+
+#include "smt/unroll.h"
+
+namespace rung {
+namespace {
+
+/// One candidate: it is assumed while `active` and to be shown as `goal`.
+struct Item {
+  int active = 0;
+  int goal = 0;
+  AigLit goal_signal = kAigTrue;
+  bool alive = true;
+};
+
+class Houdini {
+ public:
+  Houdini(Cone& cone, Unrolling::Start start, const Deadline& deadline)
+      : cone_(&cone),
+        frames_(cone.circuit().aig(), cone.bits(), start),
+        sat_(&deadline),
+        clauses_(frames_.aig(), sat_) {}
+
+  void require(std::uint32_t frame, AigLit of) {
+    clauses_.require(frames_.at(frame, of));
+  }
+  void require_scan(std::uint32_t frame, const Known& known) {
+    require(frame, cone_->constraint());
+    for (AigLit condition : known.conditions) require(frame, condition);
+  }
+  void require_state(std::uint32_t frame, const Known& known) {
+    require(frame, cone_->ranges());
+    for (AigLit lemma : known.lemmas) require(frame, lemma);
+  }
+
+  Item item(bool alive) {
+    Item result;
+    result.alive = alive;
+    if (alive) result.active = sat_.new_variable();
+    return result;
+  }
+  void assume_in(Item& item, std::uint32_t frame, AigLit of) {
+    const AigLit signal = frames_.at(frame, of);
+    if (!item.alive || signal == kAigTrue) return;
+    sat_.add({-item.active, clauses_.literal(signal)});
+  }
+  void show_in(Item& item, std::uint32_t frame, AigLit of) {
+    if (!item.alive) return;
+    item.goal_signal = frames_.at(frame, of);
+    if (item.goal_signal == kAigTrue) return;
+    item.goal = clauses_.literal(item.goal_signal);
+    sat_.phase(-item.goal);
+  }
+
+  /// Drops items that fail until none does; false when a limit was reached.
+  bool settle(std::vector<Item>& items, std::int64_t conflicts) {
+    for (;;) {
+      std::vector<int> some_fails;
+      for (const Item& item : items) {
+        if (!item.alive) continue;
+        if (item.active != 0) sat_.assume(item.active);
+        if (item.goal_signal != kAigTrue) some_fails.push_back(-item.goal);
+      }
+      if (some_fails.empty()) return true;
+      sat_.constrain(some_fails);
+      const SatAnswer answer = sat_.solve(conflicts);
+      if (answer == SatAnswer::Unsat) return true;
+      if (answer == SatAnswer::Unknown) return false;
+      for (Item& item : items) {
+        if (item.alive && item.goal_signal != kAigTrue &&
+            !sat_.value(item.goal)) {
+          item.alive = false;
+        }
+      }
+    }
+  }
+
+ private:
+  Cone* cone_;
+  Unrolling frames_;
+  Sat sat_;
+  AigClauses clauses_;
+};
+
+/// Scans 0 .. k-1 from power-up.
+bool base(Cone& cone, const Known& known, std::uint32_t k, Candidates& c,
+          std::int64_t conflicts, const Deadline& deadline) {
+  Houdini session(cone, Unrolling::Start::Initial, deadline);
+  for (std::uint32_t frame = 0; frame <= k; ++frame) {
+    if (frame > 0) session.require_scan(frame - 1, known);
+    std::vector<Item> items;
+    std::vector<std::pair<std::vector<bool>*, std::size_t>> of;
+    const auto add = [&](AigLit signal, std::uint32_t at,
+                         std::vector<bool>& holds, std::size_t i) {
+      if (!holds[i]) return;
+      Item item;
+      session.show_in(item, at, signal);
+      items.push_back(item);
+      of.emplace_back(&holds, i);
+    };
+    for (std::size_t i = 0; i < c.lemmas.size(); ++i) {
+      add(c.lemmas[i], frame, c.lemma_holds, i);
+    }
+    for (std::size_t i = 0; frame > 0 && i < c.conditions.size(); ++i) {
+      add(c.conditions[i], frame - 1, c.condition_holds, i);
+    }
+    if (!session.settle(items, conflicts)) return false;
+    for (std::size_t i = 0; i < items.size(); ++i) {
+      (*of[i].first)[of[i].second] = items[i].alive;
+    }
+  }
+  return true;
+}
+
+bool step(Cone& cone, const Known& known, std::uint32_t k, Candidates& c,
+          std::int64_t conflicts, const Deadline& deadline) {
+  Houdini session(cone, Unrolling::Start::Any, deadline);
+  for (std::uint32_t frame = 0; frame <= k; ++frame) {
+    session.require_scan(frame, known);
+    session.require_state(frame, known);
+  }
+  std::vector<Item> items;
+  for (std::size_t i = 0; i < c.conditions.size(); ++i) {
+    Item item = session.item(c.condition_holds[i]);
+    for (std::uint32_t frame = 0; frame < k; ++frame) {
+      session.assume_in(item, frame, c.conditions[i]);
+    }
+    session.show_in(item, k, c.conditions[i]);
+    items.push_back(item);
+  }
+  for (std::size_t i = 0; i < c.lemmas.size(); ++i) {
+    Item item = session.item(c.lemma_holds[i]);
+    for (std::uint32_t frame = 0; frame <= k; ++frame) {
+      session.assume_in(item, frame, c.lemmas[i]);
+    }
+    session.show_in(item, k + 1, c.lemmas[i]);
+    items.push_back(item);
+  }
+  if (!session.settle(items, conflicts)) return false;
+  const std::size_t conditions = c.conditions.size();
+  for (std::size_t i = 0; i < items.size(); ++i) {
+    if (i < conditions) {
+      c.condition_holds[i] = items[i].alive;
+    } else {
+      c.lemma_holds[i - conditions] = items[i].alive;
+    }
+  }
+  return true;
+}
+
+}  // namespace
+
+bool prove_by_induction(Cone& cone, const Known& known, std::uint32_t k,
+                        Candidates& candidates, std::int64_t conflicts,
+                        const Deadline& deadline) {
+  candidates.condition_holds.assign(candidates.conditions.size(), true);
+  candidates.lemma_holds.assign(candidates.lemmas.size(), true);
+  return base(cone, known, k, candidates, conflicts, deadline) &&
+         step(cone, known, k, candidates, conflicts, deadline);
+}
+
+}  // namespace rung

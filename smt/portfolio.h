@@ -1,0 +1,65 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "smt/bmc.h"
+#include "smt/cone.h"
+#include "smt/induction.h"
+#include "smt/invariant.h"
+#include "smt/jump.h"
+#include "smt/target.h"
+
+namespace rung {
+
+struct PortfolioOptions {
+  std::string engine;  // empty: all of them
+  std::uint32_t max_depth = 200;
+  const Deadline* deadline = nullptr;
+};
+
+/// Decides the targets of one cone, cheapest engine first; what one engine
+/// shows, the next ones use. Effort is counted in conflicts, so the answers do
+/// not depend on the machine unless the deadline passes.
+class Portfolio {
+ public:
+  /// `targets` are those of the cone; they are decided in place.
+  Portfolio(const TransitionSystem& ts, const std::vector<ExprId>& growth,
+            std::vector<Target*> targets, const PortfolioOptions& options);
+
+  void run();
+
+  const Cone& cone() const { return cone_; }
+  /// Shows every target with status Unreachable.
+  const Invariant& invariant() const { return invariant_; }
+
+ private:
+  bool open(Target::Purpose purpose) const;
+  bool any_open() const;
+  bool uses(std::string_view engine) const {
+    return options_.engine.empty() || options_.engine == engine;
+  }
+  void structural();
+  void induction(std::uint32_t k, bool all, std::int64_t conflicts);
+  void search(std::uint32_t depth, std::int64_t conflicts);
+  bool search_depth(std::int64_t conflicts);
+  void found(Target& target, Run run);
+  void unreachable(std::size_t i, std::string_view engine);
+  bool out_of_time() const { return options_.deadline->passed(); }
+
+  std::vector<Target*> targets_;
+  PortfolioOptions options_;
+  Cone cone_;
+  JumpCircuit jump_;
+  AigLit fault_ = kAigFalse;
+  std::unique_ptr<BoundedSearch> search_;
+  bool search_jumps_ = true;
+  std::uint32_t depth_ = 0;  // searched so far
+  Known known_;
+  Invariant invariant_;
+};
+
+}  // namespace rung

@@ -1,0 +1,68 @@
+#include <unordered_map>
+
+#include "smt/verdicts.h"
+
+namespace rung {
+namespace {
+
+class Asker {
+ public:
+  Asker(TransitionSystem& ts, std::vector<Target>& targets)
+      : ts_(ts), targets_(targets) {}
+
+  std::size_t ask(ExprId term, Target::Purpose purpose) {
+    const auto [entry, is_new] = asked_.try_emplace(term, targets_.size());
+    if (is_new) {
+      Target target;
+      target.term = term;
+      target.never = ts_.exprs.negation(term);
+      target.purpose = purpose;
+      targets_.push_back(std::move(target));
+    }
+    // A violation that is a trigger elsewhere is a violation.
+    Target& target = targets_[entry->second];
+    if (purpose == Target::Purpose::Fault) target.purpose = purpose;
+    if (purpose == Target::Purpose::Violation &&
+        target.purpose != Target::Purpose::Fault) {
+      target.purpose = purpose;
+    }
+    return entry->second;
+  }
+
+ private:
+  TransitionSystem& ts_;
+  std::vector<Target>& targets_;
+  std::unordered_map<ExprId, std::size_t> asked_;
+};
+
+}  // namespace
+
+Questions make_questions(const Program& program, const PropertySet& properties,
+                         TransitionSystem& ts) {
+  Questions questions;
+  questions.obligations = make_obligations(program, properties, ts);
+  Asker asker(ts, questions.targets);
+  for (const Obligation& obligation : questions.obligations) {
+    std::size_t goal = Questions::kNone;
+    std::size_t trigger = Questions::kNone;
+    const bool asked = obligation.undecided.empty();
+    if (asked && obligation.goal == Goal::Reach) {
+      goal = asker.ask(obligation.condition, Target::Purpose::Witness);
+    } else if (asked) {
+      goal = asker.ask(ts.exprs.negation(obligation.condition),
+                       Target::Purpose::Violation);
+      if (obligation.trigger.has_value()) {
+        trigger = asker.ask(obligation.trigger, Target::Purpose::Trigger);
+      }
+    }
+    questions.goal.push_back(goal);
+    questions.trigger.push_back(trigger);
+  }
+  for (const Fault& fault : ts.faults) {
+    questions.fault.push_back(
+        asker.ask(fault.condition, Target::Purpose::Fault));
+  }
+  return questions;
+}
+
+}  // namespace rung

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "analysis/program.h"
+#include "analysis/trace.h"
+#include "smt/cone.h"
+
+namespace rung {
+
+/// One scan of a found run and the stretch behind it: see JumpCircuit.
+struct RunStep {
+  std::vector<std::int64_t> inputs;  // in the order of Cone::inputs()
+  std::int64_t delta = 0;            // ms of the stretch; 0: none
+};
+using Run = std::vector<RunStep>;
+
+/// A run, and which inputs its values are of.
+struct FoundRun {
+  std::vector<VarId> inputs;
+  Run steps;
+};
+
+/// Scans that a run has when its stretches take as few as they can.
+std::uint64_t scan_count(const Run& run, const ScanInterval& scan);
+
+/// What the environment does in `run`: stretches become as few scans as they
+/// can, of at most two lengths. Inputs that the run does not name rest at 0.
+Stimulus to_stimulus(const TransitionSystem& ts, const FoundRun& run);
+
+/// Executes the terms scan by scan. Is `target` true at the end of the run, and
+/// did the constraints hold throughout?
+bool reaches(const Cone& cone, const Run& run, ExprId target);
+
+}  // namespace rung

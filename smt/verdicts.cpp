@@ -1,0 +1,312 @@
+#include "smt/verdicts.h"
+
+#include <algorithm>
+#include <unordered_set>
+
+#include "analysis/simulator.h"
+#include "smt/bit_blast.h"
+
+namespace rung {
+namespace {
+
+using Status = Target::Status;
+
+/// Test only: an invariant that no state meets; its initiation must fail.
+void corrupt(Invariant& invariant) { invariant.lemmas.emplace_back(); }
+
+/// Test only: the run without its last scan.
+void corrupt(Stimulus& stimulus) {
+  if (stimulus.steps.empty()) return;
+  if (--stimulus.steps.back().repeat == 0) stimulus.steps.pop_back();
+}
+
+std::uint64_t scans_of(const Stimulus& stimulus) {
+  std::uint64_t scans = 0;
+  for (const StimulusStep& step : stimulus.steps) scans += step.repeat;
+  return scans;
+}
+
+/// The first `scans` scans of a run.
+void cut(Stimulus& stimulus, std::uint64_t scans) {
+  std::size_t kept = 0;
+  while (kept < stimulus.steps.size() && scans > 0) {
+    StimulusStep& step = stimulus.steps[kept++];
+    step.repeat = std::min(step.repeat, scans);
+    scans -= step.repeat;
+  }
+  stimulus.steps.resize(kept);
+}
+
+/// The variables and comparisons that `root` depends on through any number of
+/// scans.
+std::unordered_set<ExprId> dependencies(const TransitionSystem& ts,
+                                        ExprId root) {
+  std::unordered_set<ExprId> seen;
+  std::vector<ExprId> stack = {root};
+  while (!stack.empty()) {
+    const ExprId id = stack.back();
+    stack.pop_back();
+    if (!seen.insert(id).second) continue;
+    const Expr& e = ts.exprs[id];
+    const Operands under = operands(e);
+    stack.insert(stack.end(), under.ids, under.ids + under.count);
+    if (e.op == ExprOp::Variable && ts.vars[e.var].role == VarRole::State) {
+      stack.push_back(ts.states[ts.vars[e.var].state].next);
+    }
+  }
+  return seen;
+}
+
+/// The comparisons at the top of a fault's condition: its value is clamped by
+/// the same ones, so they are in the cone of all that reads it.
+std::vector<ExprId> comparisons(const TransitionSystem& ts, ExprId condition) {
+  std::vector<ExprId> found;
+  std::vector<ExprId> stack = {condition};
+  while (!stack.empty()) {
+    const ExprId id = stack.back();
+    stack.pop_back();
+    const Expr& e = ts.exprs[id];
+    if (e.op == ExprOp::Less) found.push_back(id);
+    if (e.op != ExprOp::And && e.op != ExprOp::Not) continue;
+    const Operands under = operands(e);
+    stack.insert(stack.end(), under.ids, under.ids + under.count);
+  }
+  return found;
+}
+
+}  // namespace
+
+Verdicts::Verdicts(const Program& program, const PropertySet& properties,
+                   const TransitionSystem& ts, const Questions& questions,
+                   const VerifyOptions& options)
+    : program_(program),
+      properties_(properties),
+      ts_(ts),
+      questions_(questions),
+      options_(options),
+      group_of_(questions.targets.size(), 0) {}
+
+void Verdicts::decided(const std::vector<std::size_t>& group,
+                       const Invariant& invariant, bool overflow,
+                       double milliseconds) {
+  Group g;
+  g.overflow = overflow;
+  g.milliseconds = milliseconds;
+  std::vector<ExprId> goals;
+  std::string name;
+  for (std::size_t i : group) {
+    group_of_[i] = groups_.size();
+    const Target& target = questions_.targets[i];
+    if (target.status == Status::Unreachable) goals.push_back(target.never);
+  }
+  for (const LemmaClause& lemma : invariant.lemmas) {
+    g.certificate.lemmas.push_back(to_string(ts_, lemma));
+  }
+  if (!goals.empty() && !overflow && options_.self_check) {
+    Invariant checked = invariant;
+    if (options_.inject_wrong_invariant) corrupt(checked);
+    const CertificateOptions how{options_.budget.seconds, options_.recheck,
+                                 options_.smtlib_directory,
+                                 "proof" + std::to_string(groups_.size() + 1)};
+    CertificateReport report = session_.check(ts_, checked, goals, how);
+    g.outcome = report.outcome;
+    g.what = std::move(report.what);
+    g.certificate.checked_by = std::move(report.checked_by);
+    g.certificate.smtlib_path = std::move(report.smtlib_path);
+    g.milliseconds +=
+        report.milliseconds / static_cast<double>(group.size());
+  }
+  groups_.push_back(std::move(g));
+}
+
+VerifyReport Verdicts::report() {
+  VerifyReport report;
+  for (std::size_t i = 0; i < questions_.obligations.size(); ++i) {
+    report.results.push_back(conclude(i));
+  }
+  report.failures = std::move(failures_);
+  return report;
+}
+
+VerifyReport Verdicts::no_run_at_all() {
+  VerifyReport report;
+  for (const Obligation& obligation : questions_.obligations) {
+    ObligationResult result;
+    result.obligation = obligation;
+    result.verdict = Verdict::Vacuous;
+    result.reason = "no inputs meet the assumptions";
+    report.results.push_back(std::move(result));
+  }
+  return report;
+}
+
+ObligationResult Verdicts::conclude(std::size_t i) {
+  ObligationResult result;
+  result.obligation = questions_.obligations[i];
+  if (questions_.goal[i] == Questions::kNone) {
+    result.reason = result.obligation.undecided;
+    return result;
+  }
+  const Target& target = questions_.targets[questions_.goal[i]];
+  const Group& group = groups_[group_of_[questions_.goal[i]]];
+  result.engine = target.engine;
+  result.milliseconds = group.milliseconds;
+  if (group.overflow) {
+    result.reason = "a number in it has no bound that fits 62 bits";
+    return result;
+  }
+  switch (target.status) {
+    case Status::Reached:
+      conclude_reached(target, result);
+      break;
+    case Status::Unreachable:
+      conclude_unreachable(i, result);
+      break;
+    case Status::Open:
+      conclude_open(target, result);
+      break;
+  }
+  return result;
+}
+
+void Verdicts::fail(ObligationResult& result, const std::string& what) {
+  result.verdict = Verdict::Unknown;
+  result.reason = "self-check failed: " + what;
+  result.trace.reset();
+  result.certificate.reset();
+  failures_.push_back({result.obligation.name, what});
+}
+
+void Verdicts::conclude_reached(const Target& target,
+                                ObligationResult& result) {
+  const bool witness = result.obligation.goal == Goal::Reach;
+  if (!witness && !result.obligation.only_provable.empty()) {
+    result.reason = result.obligation.only_provable;
+    return;
+  }
+  result.verdict = witness ? Verdict::Proved : Verdict::Violated;
+  replay_into(target, result);
+}
+
+void Verdicts::replay_into(const Target& target, ObligationResult& result) {
+  Stimulus stimulus = to_stimulus(ts_, target.run);
+  result.scans = scans_of(stimulus);
+  if (options_.inject_wrong_trace) corrupt(stimulus);
+  const Obligation& obligation = result.obligation;
+  const bool keeps_trace = !(obligation.built_in && obligation.goal == Goal::Reach);
+  if (!options_.self_check) {
+    if (keeps_trace) result.trace = simulate(program_, stimulus);
+    return;
+  }
+  Replay replayed = replay(program_, properties_, obligation.property,
+                           obligation.part, stimulus);
+  if (replayed.decided_at == 0 || !replayed.assumptions_hold) {
+    const std::string wider = wider_than_program(target);
+    if (!wider.empty()) {
+      result.verdict = Verdict::Unknown;
+      result.reason = wider;
+      result.scans = 0;
+      return;
+    }
+    return fail(result, replayed.assumptions_hold
+                            ? "engine " + result.engine + " found a run of " +
+                                  std::to_string(result.scans) +
+                                  " scans; the simulator does not get there"
+                            : "the run found breaks an assumption");
+  }
+  if (replayed.decided_at < result.scans) {
+    cut(stimulus, replayed.decided_at);
+    replayed = replay(program_, properties_, obligation.property,
+                      obligation.part, stimulus);
+    result.scans = replayed.decided_at;
+  }
+  if (keeps_trace) result.trace = std::move(replayed.trace);
+}
+
+/// Why a run that only the encoding has says nothing; empty: it should not
+/// exist.
+std::string Verdicts::wider_than_program(const Target& target) const {
+  for (ExprId id : dependencies(ts_, target.term)) {
+    const Expr& e = ts_.exprs[id];
+    if (e.op == ExprOp::Variable &&
+        ts_.vars[e.var].role == VarRole::Choice) {
+      return "the only run found leaves the range in which a counter is exact";
+    }
+  }
+  return {};
+}
+
+std::string Verdicts::open_fault(const Target& target) const {
+  std::unordered_set<ExprId> seen;
+  for (std::size_t i = 0; i < ts_.faults.size(); ++i) {
+    const Target& fault = questions_.targets[questions_.fault[i]];
+    const Group& group = groups_[group_of_[questions_.fault[i]]];
+    if (fault.status == Status::Unreachable &&
+        (group.outcome == CertificateOutcome::Accepted ||
+         !options_.self_check)) {
+      continue;
+    }
+    if (seen.empty()) seen = dependencies(ts_, target.term);
+    for (ExprId comparison : comparisons(ts_, ts_.faults[i].condition)) {
+      if (seen.count(comparison) == 0) continue;
+      const CellId cell = ts_.faults[i].cell;
+      return cell.has_value()
+                 ? "`" + program_.cells[cell].name + "` may leave its range"
+                 : "a number may leave the range in which it is exact";
+    }
+  }
+  return {};
+}
+
+void Verdicts::conclude_unreachable(std::size_t i, ObligationResult& result) {
+  const std::size_t goal = questions_.goal[i];
+  const Target& target = questions_.targets[goal];
+  const Group& group = groups_[group_of_[goal]];
+  if (options_.self_check) {
+    if (group.outcome == CertificateOutcome::Rejected) {
+      return fail(result, "certificate rejected: " + group.what);
+    }
+    if (group.outcome == CertificateOutcome::Undecided) {
+      result.reason = "the certificate could not be checked: " + group.what;
+      return;
+    }
+  }
+  if (std::string fault = open_fault(target); !fault.empty()) {
+    result.reason = std::move(fault);
+    return;
+  }
+  result.certificate = group.certificate;
+  if (result.obligation.goal == Goal::Reach) {
+    result.verdict = Verdict::Violated;
+    result.reason = "no run gets there";
+    return;
+  }
+  result.verdict = Verdict::Proved;
+  const std::size_t trigger = questions_.trigger[i];
+  if (trigger == Questions::kNone) return;
+  const Target& left = questions_.targets[trigger];
+  if (left.status == Status::Unreachable) {
+    result.verdict = Verdict::Vacuous;
+    result.reason = "its left side can never be true";
+  } else if (left.status == Status::Open) {
+    result.reason = "whether its left side can be true was not decided";
+  }
+}
+
+void Verdicts::conclude_open(const Target& target, ObligationResult& result) {
+  result.engine = "bmc";
+  result.scans = target.bound;
+  const Obligation& obligation = result.obligation;
+  if (!obligation.only_provable.empty()) {
+    result.reason = obligation.only_provable;
+  } else if (obligation.goal == Goal::Invariant && target.bound > 0) {
+    result.verdict = Verdict::Bounded;
+    result.reason = open_fault(target);
+    if (!result.reason.empty()) result.verdict = Verdict::Unknown;
+  } else {
+    result.reason = "no run of " + std::to_string(target.bound) +
+                    " steps gets there, and no proof was found that none does";
+  }
+}
+
+}  // namespace rung

@@ -1,0 +1,78 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "analysis/property.h"
+#include "analysis/transition_system.h"
+#include "smt/certificate.h"
+#include "smt/invariant.h"
+#include "smt/target.h"
+#include "smt/verify.h"
+
+namespace rung {
+
+/// Obligations as targets: what is asked of the engines. One term is asked of
+/// once, however many obligations need its answer.
+struct Questions {
+  static constexpr std::size_t kNone = ~std::size_t{0};
+
+  std::vector<Obligation> obligations;
+  std::vector<Target> targets;
+  std::vector<std::size_t> goal;     // by obligation: its target, or kNone
+  std::vector<std::size_t> trigger;  // the same
+  std::vector<std::size_t> fault;    // by TransitionSystem::faults
+};
+Questions make_questions(const Program& program, const PropertySet& properties,
+                         TransitionSystem& ts);
+
+/// Turns what engines found into verdicts, after checking it: traces by
+/// replay, proofs by the certificate's check. What fails its check is reported
+/// as a failure and never as a verdict.
+class Verdicts {
+ public:
+  Verdicts(const Program& program, const PropertySet& properties,
+           const TransitionSystem& ts, const Questions& questions,
+           const VerifyOptions& options);
+
+  /// Engines are done with these targets; `invariant` shows the unreachable
+  /// ones. `overflow`: their terms have no exact encoding.
+  void decided(const std::vector<std::size_t>& group,
+               const Invariant& invariant, bool overflow, double milliseconds);
+
+  /// Every obligation, in order.
+  VerifyReport report();
+  /// The same when no scan at all meets the assumptions.
+  VerifyReport no_run_at_all();
+
+ private:
+  struct Group {  // of targets that one invariant shows
+    Certificate certificate;
+    CertificateOutcome outcome = CertificateOutcome::Undecided;
+    std::string what;
+    bool overflow = false;
+    double milliseconds = 0;  // a target
+  };
+
+  ObligationResult conclude(std::size_t i);
+  void conclude_reached(const Target& target, ObligationResult& result);
+  void conclude_unreachable(std::size_t i, ObligationResult& result);
+  void conclude_open(const Target& target, ObligationResult& result);
+  void replay_into(const Target& target, ObligationResult& result);
+  void fail(ObligationResult& result, const std::string& what);
+  std::string open_fault(const Target& target) const;
+  std::string wider_than_program(const Target& target) const;
+
+  const Program& program_;
+  const PropertySet& properties_;
+  const TransitionSystem& ts_;
+  const Questions& questions_;
+  const VerifyOptions& options_;
+  CertificateSession session_;
+  std::vector<Group> groups_;
+  std::vector<std::size_t> group_of_;  // by target
+  std::vector<SelfCheckFailure> failures_;
+};
+
+}  // namespace rung
