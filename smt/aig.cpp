@@ -83,8 +83,8 @@ bool Aig::rewrite_two(AigLit a, AigLit b, Step& step) const {
   const AigLit y = right_[aig_node(a)];
   const AigLit z = left_[aig_node(b)];
   const AigLit w = right_[aig_node(b)];
-  const bool opposite = x == aig_not(z) || x == aig_not(w) ||
-                        y == aig_not(z) || y == aig_not(w);
+  const bool opposite =
+      x == aig_not(z) || x == aig_not(w) || y == aig_not(z) || y == aig_not(w);
   const bool shares_z = z == x || z == y;
   const bool shares_w = w == x || w == y;
   if (is_and(a) && is_and(b)) {

@@ -94,8 +94,8 @@ Word StepCircuit::encode_one(const Expr& e) {
   }
   if (e.type == Type::Bit) {
     if (e.op == ExprOp::Constant) return {e.value != 0 ? kAigTrue : kAigFalse};
-    return {aig_.choose(done(e.a).front(), done(e.b).front(),
-                        done(e.c).front())};
+    return {
+        aig_.choose(done(e.a).front(), done(e.b).front(), done(e.c).front())};
   }
   if (e.low <= -ExprArena::kUnbounded || e.high >= ExprArena::kUnbounded) {
     overflow_ = true;

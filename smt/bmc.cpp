@@ -4,8 +4,8 @@
 
 namespace rung {
 
-BoundedSearch::BoundedSearch(Cone& cone, const JumpCircuit* jump,
-                             AigLit never, const Deadline& deadline)
+BoundedSearch::BoundedSearch(Cone& cone, const JumpCircuit* jump, AigLit never,
+                             const Deadline& deadline)
     : cone_(&cone),
       jump_(jump != nullptr && jump->useful() ? jump : nullptr),
       never_(never),

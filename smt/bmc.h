@@ -3,15 +3,15 @@
 #include <cstdint>
 #include <vector>
 
+#include "smt/cone.h"
 #include "smt/jump.h"
 #include "smt/run.h"
 #include "smt/sat.h"
-#include "smt/cone.h"
 
 namespace rung {
 
 struct BmcLimits {
-  std::int64_t conflicts = -1;        // a query; < 0: none
+  std::int64_t conflicts = -1;         // a query; < 0: none
   std::uint32_t minimise_queries = 0;  // for each run found; 0: leave as found
 };
 
@@ -41,7 +41,9 @@ class BoundedSearch {
   void extend(std::uint32_t depth);
   Run decode(std::uint32_t depth);
   std::int64_t value(std::uint32_t frame, const Word& word);
-  AigLit copied(std::uint32_t frame, AigLit of) { return frames_.at(frame, of); }
+  AigLit copied(std::uint32_t frame, AigLit of) {
+    return frames_.at(frame, of);
+  }
   Word copied(std::uint32_t frame, const Word& word);
   /// Solves with `kept_`, the goal and one literal more.
   bool holds_with(AigLit more, std::int64_t conflicts);

@@ -3,8 +3,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "smt/sat.h"
 #include "smt/cone.h"
+#include "smt/sat.h"
 
 namespace rung {
 

@@ -52,8 +52,7 @@ void JumpCircuit::add_leaves() {
   delta_ = leaf_word(longest);
   scans_ = leaf_word(longest / std::max<std::int64_t>(ts.scan.min_ms, 1) + 1);
   // scans * min <= delta <= scans * max, and something happens.
-  const Word least =
-      word_multiply(aig, scans_, word_constant(ts.scan.min_ms));
+  const Word least = word_multiply(aig, scans_, word_constant(ts.scan.min_ms));
   const Word most = word_multiply(aig, scans_, word_constant(ts.scan.max_ms));
   allowed_ = aig_not(word_equal(aig, scans_, word_constant(0)));
   allowed_ = aig.conjunction(allowed_, aig_not(word_less(aig, delta_, least)));

@@ -28,8 +28,8 @@ void BoundedSearch::fewest_scans(std::uint32_t depth, std::uint32_t& queries) {
   for (std::uint32_t frame = 0; frame + 1 < depth; ++frame) {
     const Word scans = copied(frame, jump_->scans());
     const AigLit taken = copied(frame, jump_->taken());
-    total = word_add(aig, total,
-                     word_choose(aig, taken, scans, word_constant(0)));
+    total =
+        word_add(aig, total, word_choose(aig, taken, scans, word_constant(0)));
   }
   const auto at_most = [&](std::uint64_t count) {
     const Word bound = word_constant(static_cast<std::int64_t>(count));

@@ -133,8 +133,8 @@ bool Portfolio::search_depth(std::int64_t conflicts) {
 
 void Portfolio::search(std::uint32_t depth, std::int64_t conflicts) {
   while (depth_ < std::min(depth, options_.max_depth) && !out_of_time()) {
-    const bool wanted = std::any_of(
-        targets_.begin(), targets_.end(), [](const Target* target) {
+    const bool wanted =
+        std::any_of(targets_.begin(), targets_.end(), [](const Target* target) {
           return target->status == Target::Status::Open &&
                  target->purpose != Target::Purpose::Fault;
         });

@@ -25,8 +25,7 @@ std::vector<Beat> beats(std::int64_t delta, const ScanInterval& scan) {
   if (longer > 0) {
     result.push_back({delta / count + 1, static_cast<std::uint64_t>(longer)});
   }
-  result.push_back(
-      {delta / count, static_cast<std::uint64_t>(count - longer)});
+  result.push_back({delta / count, static_cast<std::uint64_t>(count - longer)});
   return result;
 }
 

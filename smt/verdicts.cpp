@@ -113,8 +113,7 @@ void Verdicts::decided(const std::vector<std::size_t>& group,
     g.what = std::move(report.what);
     g.certificate.checked_by = std::move(report.checked_by);
     g.certificate.smtlib_path = std::move(report.smtlib_path);
-    g.milliseconds +=
-        report.milliseconds / static_cast<double>(group.size());
+    g.milliseconds += report.milliseconds / static_cast<double>(group.size());
   }
   groups_.push_back(std::move(g));
 }
@@ -193,7 +192,8 @@ void Verdicts::replay_into(const Target& target, ObligationResult& result) {
   result.scans = scans_of(stimulus);
   if (options_.inject_wrong_trace) corrupt(stimulus);
   const Obligation& obligation = result.obligation;
-  const bool keeps_trace = !(obligation.built_in && obligation.goal == Goal::Reach);
+  const bool keeps_trace =
+      !(obligation.built_in && obligation.goal == Goal::Reach);
   if (!options_.self_check) {
     if (keeps_trace) result.trace = simulate(program_, stimulus);
     return;
@@ -228,8 +228,7 @@ void Verdicts::replay_into(const Target& target, ObligationResult& result) {
 std::string Verdicts::wider_than_program(const Target& target) const {
   for (ExprId id : dependencies(ts_, target.term)) {
     const Expr& e = ts_.exprs[id];
-    if (e.op == ExprOp::Variable &&
-        ts_.vars[e.var].role == VarRole::Choice) {
+    if (e.op == ExprOp::Variable && ts_.vars[e.var].role == VarRole::Choice) {
       return "the only run found leaves the range in which a counter is exact";
     }
   }

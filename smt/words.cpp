@@ -20,8 +20,8 @@ Word add_modulo(Aig& aig, const Word& a, const Word& b, AigLit carry,
     const AigLit y = at(b, i);
     const AigLit half = aig.exclusive_or(x, y);
     sum[i] = aig.exclusive_or(half, carry);
-    carry = aig.disjunction(aig.conjunction(x, y),
-                            aig.conjunction(half, carry));
+    carry =
+        aig.disjunction(aig.conjunction(x, y), aig.conjunction(half, carry));
   }
   return sum;
 }
@@ -44,8 +44,8 @@ std::uint32_t word_width(std::int64_t low, std::int64_t high) {
   const auto magnitude = [](std::int64_t v) {
     return static_cast<std::uint64_t>(v < 0 ? ~v : v);
   };
-  const auto bits = std::max(std::bit_width(magnitude(low)),
-                             std::bit_width(magnitude(high)));
+  const auto bits =
+      std::max(std::bit_width(magnitude(low)), std::bit_width(magnitude(high)));
   return static_cast<std::uint32_t>(bits) + 1;
 }
 
@@ -114,8 +114,7 @@ Word word_divide(Aig& aig, const Word& a, std::int64_t divisor) {
     rest.back() = kAigFalse;
   }
   const AigLit minus = divisor < 0 ? aig_not(a.back()) : a.back();
-  return trimmed(
-      word_choose(aig, minus, word_negate(aig, quotient), quotient));
+  return trimmed(word_choose(aig, minus, word_negate(aig, quotient), quotient));
 }
 
 Word word_choose(Aig& aig, AigLit condition, const Word& then,
@@ -130,8 +129,8 @@ Word word_choose(Aig& aig, AigLit condition, const Word& then,
 AigLit word_equal(Aig& aig, const Word& a, const Word& b) {
   AigLit equal = kAigTrue;
   for (std::size_t i = std::max(a.size(), b.size()); i-- > 0;) {
-    equal = aig.conjunction(equal,
-                            aig_not(aig.exclusive_or(at(a, i), at(b, i))));
+    equal =
+        aig.conjunction(equal, aig_not(aig.exclusive_or(at(a, i), at(b, i))));
   }
   return equal;
 }

@@ -1,0 +1,40 @@
+#include "smt/lanes.h"
+
+#include <algorithm>
+
+namespace rung {
+
+void Lanes::set(AigLit leaf, std::uint64_t lanes) {
+  if (values_.size() < aig_->size()) values_.resize(aig_->size(), 0);
+  values_[aig_node(leaf)] = aig_inverted(leaf) ? ~lanes : lanes;
+}
+
+void Lanes::set(const Word& leaves, std::uint32_t lane, std::int64_t value) {
+  if (values_.size() < aig_->size()) values_.resize(aig_->size(), 0);
+  const std::uint64_t mask = std::uint64_t{1} << lane;
+  for (std::size_t i = 0; i < leaves.size(); ++i) {
+    if (aig_node(leaves[i]) == 0) continue;
+    std::uint64_t& lanes = values_[aig_node(leaves[i])];
+    const bool set = ((value >> std::min<std::size_t>(i, 63)) & 1) != 0;
+    lanes = set ? lanes | mask : lanes & ~mask;
+  }
+}
+
+void Lanes::evaluate() {
+  values_.resize(aig_->size(), 0);
+  for (std::uint32_t node = 1; node < values_.size(); ++node) {
+    if (!aig_->is_gate(node)) continue;
+    values_[node] = value(aig_->left(node)) & value(aig_->right(node));
+  }
+}
+
+std::int64_t Lanes::value(const Word& word, std::uint32_t lane) const {
+  std::uint64_t bits = 0;
+  for (std::size_t i = 0; i < 64; ++i) {
+    const AigLit bit = word[std::min(i, word.size() - 1)];
+    bits |= (value(bit) >> lane & 1U) << i;
+  }
+  return static_cast<std::int64_t>(bits);
+}
+
+}  // namespace rung

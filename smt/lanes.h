@@ -1,0 +1,33 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "smt/aig.h"
+#include "smt/words.h"
+
+namespace rung {
+
+/// A graph evaluated for 64 independent cases at once, one a bit.
+class Lanes {
+ public:
+  static constexpr std::uint32_t kCount = 64;
+
+  explicit Lanes(const Aig& aig) : aig_(&aig) {}
+
+  void set(AigLit leaf, std::uint64_t lanes);
+  /// Writes a word's leaves of one lane; constant bits are left alone.
+  void set(const Word& leaves, std::uint32_t lane, std::int64_t value);
+  void evaluate();
+
+  std::uint64_t value(AigLit a) const {
+    return values_[aig_node(a)] ^ (aig_inverted(a) ? ~std::uint64_t{0} : 0);
+  }
+  std::int64_t value(const Word& word, std::uint32_t lane) const;
+
+ private:
+  const Aig* aig_;
+  std::vector<std::uint64_t> values_;  // by node
+};
+
+}  // namespace rung
