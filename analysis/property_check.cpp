@@ -222,6 +222,7 @@ FormulaChecker::Value FormulaChecker::call(const FormulaNode& node) {
   Value result;
   if (function == nullptr) {
     std::vector<std::string_view> known;
+    known.reserve(kFunctions.size());
     for (const Function& row : kFunctions) known.push_back(row.name);
     fail("RP062", node,
          "properties have no function `" + text + "`" +

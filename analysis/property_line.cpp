@@ -263,6 +263,7 @@ void LineParser::read_unnamed(const Slice& rest) {
 
 void LineParser::unknown(const Slice& rest) {
   std::vector<std::string_view> words;
+  words.reserve(kKeywords.size());
   for (const Keyword& row : kKeywords) words.push_back(row.word);
   const Slice& at = word_.empty() ? rest : word_;
   fail(at, "`" + std::string(at.text) + "` starts no property line" +
@@ -354,6 +355,7 @@ void LineParser::read_pattern(const Slice& rest) {
                    [&](const Pattern& row) { return row.id == id.text; });
   if (pattern == kPatterns.end()) {
     std::vector<std::string_view> ids;
+    ids.reserve(kPatterns.size());
     for (const Pattern& row : kPatterns) ids.push_back(row.id);
     return fail(id, "`" + std::string(id.text) + "` is no pattern" +
                         did_you_mean(id.text, ids));

@@ -228,8 +228,10 @@ ExprId PropertyTerms::older(ExprId term, std::int64_t initial,
                             std::string_view name, std::uint32_t from,
                             std::uint32_t back) {
   for (std::uint32_t scans = from; scans < back; ++scans) {
-    std::string text(name);
-    for (std::uint32_t i = 0; i <= scans; ++i) text = "prev(" + text + ")";
+    std::string text;
+    for (std::uint32_t i = 0; i <= scans; ++i) text += "prev(";
+    text += name;
+    text.append(scans + 1, ')');
     term = remembered(term, initial, std::move(text));
   }
   return term;

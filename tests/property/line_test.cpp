@@ -1,6 +1,8 @@
 #include <gtest/gtest.h>
 
+#include <random>
 #include <string>
+#include <vector>
 
 #include "sample.h"
 
@@ -374,11 +376,55 @@ TEST(Lines, ExpectationsAreKept) {
 }
 
 TEST(Lines, HistoryIsBounded) {
-  std::string formula = "Q0";
-  for (int i = 0; i < 60; ++i) formula = "rose(" + formula + ")";
+  std::string formula;
+  for (int i = 0; i < 60; ++i) formula += "rose(";
+  formula += "Q0" + std::string(60, ')');
   EXPECT_FALSE(ReadLines("always " + formula).found.has_errors());
   EXPECT_EQ(ReadLines("always prev(" + formula + ")").error().substr(0, 5),
             "RP069");
+}
+
+TEST(Lines, AnyWordsGiveALineOrAnError) {
+  const std::vector<std::string> words = {
+      "always",     "never",   "interlock",
+      "latch",      "set",     "reset",
+      "reach",      "after",   "within",
+      "for",        "implies", "only",
+      "gap",        "input",   "scan",
+      "assume",     "expect",  "dominant",
+      "in",         "Q0",      "I0",
+      "IW0",        "T(0).q",  "T(0).elapsed",
+      "C(0).value", "M1",      "prev(",
+      "begin(",     "rose(",   "once(",
+      "(",          ")",       ",",
+      ";",          "->",      "&&",
+      "||",         "!",       "==",
+      "<",          "+",       "*",
+      "-",          "?",       ":",
+      "0",          "3",       "1.5",
+      "ms",         "s",       "scans",
+      "..",         "pattern", "pattern-implication(",
+      "x",          ".",       "%",
+      "\xff",       "=",       "NOT",
+      "fell("};
+  std::mt19937 dice(1);
+  int accepted = 0;
+  for (int i = 0; i < 20'000; ++i) {
+    std::string line;
+    if (i % 2 == 0) line = "always Q0 ";
+    for (std::uint32_t n = dice() % 9; n > 0; --n) {
+      line += words[dice() % words.size()] + (dice() % 3 == 0 ? "" : " ");
+    }
+    ReadLines read(line);
+    if (read.found.has_errors()) continue;
+    ++accepted;
+    TransitionSystem ts = build_transition_system(read.sample.program);
+    for (const Obligation& made :
+         make_obligations(read.sample.program, read.set, ts)) {
+      ASSERT_TRUE(made.condition.has_value()) << line;
+    }
+  }
+  EXPECT_GT(accepted, 200);
 }
 
 TEST(Lines, DepthCostsNoStack) {

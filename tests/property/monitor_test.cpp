@@ -47,79 +47,75 @@ bool i0_rose(const Run& run, std::size_t now) {
   return now > 0 && run[now].i0 && !run[now - 1].i0;
 }
 
-const std::vector<Atom>& atoms() {
-  static const std::vector<Atom> kAtoms = {
-      {"I0", [](const Run& r, std::size_t k) { return r[k].i0; }},
-      {"!I1", [](const Run& r, std::size_t k) { return !r[k].i1; }},
-      {"Q0", [](const Run& r, std::size_t k) { return r[k].q0; }},
-      {"Q2 && I1",
-       [](const Run& r, std::size_t k) { return r[k].i2 && r[k].i1; }},
-      {"prev(I1)",
-       [](const Run& r, std::size_t k) { return back(r, k, 1).i1; }},
-      {"prev(prev(Q0))",
-       [](const Run& r, std::size_t k) { return back(r, k, 2).q0; }},
-      {"prev(prev(prev(I0)))",
-       [](const Run& r, std::size_t k) { return back(r, k, 3).i0; }},
-      {"rose(I0)", i0_rose},
-      {"fell(Q0)", [](const Run& r,
-                      std::size_t k) { return !r[k].q0 && back(r, k, 1).q0; }},
-      {"prev(rose(I0))",
-       [](const Run& r, std::size_t k) { return k > 0 && i0_rose(r, k - 1); }},
-      {"rose(prev(Q0))",
-       [](const Run& r, std::size_t k) {
-         return back(r, k, 1).q0 && !back(r, k, 2).q0;
-       }},
-      {"begin(Q0) && I1",
-       [](const Run& r, std::size_t k) { return back(r, k, 1).q0 && r[k].i1; }},
-      {"begin(I0 ^ Q0)",
-       [](const Run& r, std::size_t k) { return r[k].i0 != back(r, k, 1).q0; }},
-      {"prev(begin(I0))",
-       [](const Run& r, std::size_t k) { return back(r, k, 1).i0; }},
-      {"prev(begin(Q0))",
-       [](const Run& r, std::size_t k) { return back(r, k, 2).q0; }},
-      {"once(I2 && !I0)",
-       [](const Run& r, std::size_t k) {
-         return once(r, k, [](const Run& run, std::size_t i) {
-           return run[i].i2 && !run[i].i0;
-         });
-       }},
-      {"prev(prev(once(Q0)))",
-       [](const Run& r, std::size_t k) {
-         return k >= 2 && once(r, k - 2, [](const Run& run, std::size_t i) {
-                  return run[i].q0;
-                });
-       }},
-      {"once(prev(Q0))",
-       [](const Run& r, std::size_t k) {
-         return once(r, k, [](const Run& run, std::size_t i) {
-           return back(run, i, 1).q0;
-         });
-       }},
-      {"IW0 + prev(IW0) * 2 > 4",
-       [](const Run& r, std::size_t k) {
-         return r[k].word + back(r, k, 1).word * 2 > 4;
-       }},
-      {"prev(IW0 > 2 ? I0 : !I1)",
-       [](const Run& r, std::size_t k) {
-         const Moment& then = back(r, k, 1);
-         return then.word > 2 ? then.i0 : !then.i1;
-       }},
-      {"T(0).q",
-       [](const Run& r, std::size_t k) {
-         std::size_t first = k;
-         while (first > 1 && r[first].i0 && r[first - 1].i0) --first;
-         return r[k].i0 && r[k].time - r[first].time >= 20;
-       }},
-      {"prev(T(0).q)",
-       [](const Run& r, std::size_t k) {
-         if (k == 0) return false;
-         std::size_t first = k - 1;
-         while (first > 1 && r[first].i0 && r[first - 1].i0) --first;
-         return r[k - 1].i0 && r[k - 1].time - r[first].time >= 20;
-       }},
-  };
-  return kAtoms;
-}
+const std::vector<Atom> kAtoms = {
+    {"I0", [](const Run& r, std::size_t k) { return r[k].i0; }},
+    {"!I1", [](const Run& r, std::size_t k) { return !r[k].i1; }},
+    {"Q0", [](const Run& r, std::size_t k) { return r[k].q0; }},
+    {"Q2 && I1",
+     [](const Run& r, std::size_t k) { return r[k].i2 && r[k].i1; }},
+    {"prev(I1)", [](const Run& r, std::size_t k) { return back(r, k, 1).i1; }},
+    {"prev(prev(Q0))",
+     [](const Run& r, std::size_t k) { return back(r, k, 2).q0; }},
+    {"prev(prev(prev(I0)))",
+     [](const Run& r, std::size_t k) { return back(r, k, 3).i0; }},
+    {"rose(I0)", i0_rose},
+    {"fell(Q0)",
+     [](const Run& r, std::size_t k) { return !r[k].q0 && back(r, k, 1).q0; }},
+    {"prev(rose(I0))",
+     [](const Run& r, std::size_t k) { return k > 0 && i0_rose(r, k - 1); }},
+    {"rose(prev(Q0))",
+     [](const Run& r, std::size_t k) {
+       return back(r, k, 1).q0 && !back(r, k, 2).q0;
+     }},
+    {"begin(Q0) && I1",
+     [](const Run& r, std::size_t k) { return back(r, k, 1).q0 && r[k].i1; }},
+    {"begin(I0 ^ Q0)",
+     [](const Run& r, std::size_t k) { return r[k].i0 != back(r, k, 1).q0; }},
+    {"prev(begin(I0))",
+     [](const Run& r, std::size_t k) { return back(r, k, 1).i0; }},
+    {"prev(begin(Q0))",
+     [](const Run& r, std::size_t k) { return back(r, k, 2).q0; }},
+    {"once(I2 && !I0)",
+     [](const Run& r, std::size_t k) {
+       return once(r, k, [](const Run& run, std::size_t i) {
+         return run[i].i2 && !run[i].i0;
+       });
+     }},
+    {"prev(prev(once(Q0)))",
+     [](const Run& r, std::size_t k) {
+       return k >= 2 && once(r, k - 2, [](const Run& run, std::size_t i) {
+                return run[i].q0;
+              });
+     }},
+    {"once(prev(Q0))",
+     [](const Run& r, std::size_t k) {
+       return once(r, k, [](const Run& run, std::size_t i) {
+         return back(run, i, 1).q0;
+       });
+     }},
+    {"IW0 + prev(IW0) * 2 > 4",
+     [](const Run& r, std::size_t k) {
+       return r[k].word + back(r, k, 1).word * 2 > 4;
+     }},
+    {"prev(IW0 > 2 ? I0 : !I1)",
+     [](const Run& r, std::size_t k) {
+       const Moment& then = back(r, k, 1);
+       return then.word > 2 ? then.i0 : !then.i1;
+     }},
+    {"T(0).q",
+     [](const Run& r, std::size_t k) {
+       std::size_t first = k;
+       while (first > 1 && r[first].i0 && r[first - 1].i0) --first;
+       return r[k].i0 && r[k].time - r[first].time >= 20;
+     }},
+    {"prev(T(0).q)",
+     [](const Run& r, std::size_t k) {
+       if (k == 0) return false;
+       std::size_t first = k - 1;
+       while (first > 1 && r[first].i0 && r[first - 1].i0) --first;
+       return r[k - 1].i0 && r[k - 1].time - r[first].time >= 20;
+     }},
+};
 
 class Dice {
  public:
@@ -129,8 +125,8 @@ class Dice {
                                      static_cast<std::uint64_t>(last + 1));
   }
   const Atom& atom() {
-    return atoms()[static_cast<std::size_t>(
-        up_to(static_cast<std::int64_t>(atoms().size()) - 1))];
+    return kAtoms[static_cast<std::size_t>(
+        up_to(static_cast<std::int64_t>(kAtoms.size()) - 1))];
   }
 
  private:
@@ -323,7 +319,7 @@ INSTANTIATE_TEST_SUITE_P(All, Monitors,
                                          after_time, held, only_after));
 
 TEST(Formulas, HaveTheirValueInEveryScan) {
-  for (const Atom& atom : atoms()) {
+  for (const Atom& atom : kAtoms) {
     for (std::uint32_t seed = 0; seed < 20; ++seed) {
       Dice dice(seed);
       const Claim claim = {std::string("reach ") + atom.text, atom.truth, {}};
