@@ -1,0 +1,76 @@
+// Random programs mean the same to the simulator, to the transition system and
+// to the postfix machine: cell by cell, scan by scan.
+//
+// RUNG_AGREEMENT_PROGRAMS: how many (2,000 unless set; CI sets 100,000).
+// RUNG_AGREEMENT_SEED: the first one, to repeat a failure.
+
+#include <gtest/gtest.h>
+#include <rapidcheck/shrink/Shrink.h>
+
+#include <cstdint>
+#include <cstdlib>
+#include <string>
+#include <vector>
+
+#include "comparison.h"
+#include "program_generator.h"
+
+namespace rung {
+namespace {
+
+using TapeNumbers = std::vector<std::uint32_t>;
+
+constexpr std::uint32_t kScans = 50;
+constexpr std::size_t kTapeLength = 600;
+
+std::uint64_t setting(const char* name, std::uint64_t otherwise) {
+  const char* const text = std::getenv(name);
+  return text == nullptr ? otherwise : std::strtoull(text, nullptr, 10);
+}
+
+/// A tape that fails too and has no simpler neighbour that does.
+TapeNumbers shrink(TapeNumbers failing) {
+  const auto fails = [](const TapeNumbers& tape) {
+    return !compare(tape, kScans).difference.empty();
+  };
+  const auto simpler = [&](auto candidates) {
+    while (auto candidate = candidates.next()) {
+      if (!fails(*candidate)) continue;
+      failing = std::move(*candidate);
+      return true;
+    }
+    return false;
+  };
+  while (simpler(rc::shrink::removeChunks(failing)) ||
+         simpler(rc::shrink::eachElement(failing, [](std::uint32_t number) {
+           return rc::shrink::integral(number);
+         }))) {
+  }
+  return failing;
+}
+
+TEST(Agreement, RandomProgramsMeanTheSameToAll) {
+  const std::uint64_t count = setting("RUNG_AGREEMENT_PROGRAMS", 2000);
+  const std::uint64_t first = setting("RUNG_AGREEMENT_SEED", 1);
+  std::uint64_t refused = 0;
+  std::uint64_t scans = 0;
+  for (std::uint64_t seed = first; seed < first + count; ++seed) {
+    const TapeNumbers tape = random_tape(seed, kTapeLength);
+    const Comparison comparison = compare(tape, kScans);
+    refused += comparison.refused ? 1 : 0;
+    scans += comparison.scans;
+    if (comparison.difference.empty()) continue;
+    const Comparison smallest = compare(shrink(tape), kScans);
+    FAIL() << "seed " << seed << ": " << comparison.difference
+           << "\nThe smallest program that differs:\n"
+           << smallest.text << smallest.difference;
+  }
+  EXPECT_LT(refused * 20, count) << "the generator writes too many programs "
+                                    "that are no programs";
+  // Runs end early where a word leaves its range; most do not.
+  EXPECT_GT(scans, (count - refused) * kScans * 3 / 4);
+  RecordProperty("refused", static_cast<int>(refused));
+}
+
+}  // namespace
+}  // namespace rung
