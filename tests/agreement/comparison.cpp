@@ -42,8 +42,7 @@ std::optional<Program> read(const GeneratedProgram& generated) {
   SourceSet sources;
   const FileId file = sources.add("random.txt", generated.text);
   DiagnosticList diagnostics;
-  const Ast ast =
-      read_script(sources, file, generated.dialect, diagnostics);
+  const Ast ast = read_script(sources, file, generated.dialect, diagnostics);
   Program program = build_program(ast, {}, diagnostics);
   if (diagnostics.has_errors()) return std::nullopt;
   // Texts that the views of a program point to are not looked at below.
@@ -119,8 +118,8 @@ class Comparer {
       case 2:
         return cell.low + tape_.pick(2);
       default:
-        return cell.low + tape_.pick(static_cast<std::uint32_t>(
-                              cell.high - cell.low + 1));
+        return cell.low +
+               tape_.pick(static_cast<std::uint32_t>(cell.high - cell.low + 1));
     }
   }
 
@@ -132,12 +131,11 @@ class Comparer {
     }
     for (const Variable& var : ts_.vars) {
       if (var.role != VarRole::Input) continue;
-      const auto at = std::find(stimulus_.inputs.begin(),
-                                stimulus_.inputs.end(), var.cell);
+      const auto at =
+          std::find(stimulus_.inputs.begin(), stimulus_.inputs.end(), var.cell);
       interpreter.set(
           ts_.exprs[var.expr].var,
-          step.inputs[static_cast<std::size_t>(
-              at - stimulus_.inputs.begin())]);
+          step.inputs[static_cast<std::size_t>(at - stimulus_.inputs.begin())]);
     }
   }
 

@@ -36,7 +36,8 @@ class Generator {
 
   std::string bit_target() {
     const std::uint32_t choice = tape_.pick(6);
-    if (choice < 3) return numbered(sim_ ? "Q" : "pin", choice + (sim_ ? 0 : 8));
+    if (choice < 3)
+      return numbered(sim_ ? "Q" : "pin", choice + (sim_ ? 0 : 8));
     return numbered(sim_ ? "M" : "y", choice);
   }
   std::string word_target(std::uint32_t number) const {
@@ -89,8 +90,8 @@ class Generator {
   }
 
   void compare() {
-    constexpr std::array<std::string_view, 6> kOperators = {"<",  ">",  "==",
-                                                            "!=", "<=", ">="};
+    constexpr std::array<std::string_view, 6> kOperators = {
+        "<", ">", "==", "!=", "<=", ">="};
     infix(kOperators[tape_.pick(6)], true, false);
   }
 
