@@ -47,11 +47,8 @@ bool timer_yun(SimulatedElement& e, std::int64_t parameter, bool v,
 }
 
 // bool TR(int n, bool v)
-bool timer_yun_reset(SimulatedElement& e, bool v, const ElementClock& clock) {
-  if (v && e.started) {
-    e.held = clock.now - e.t0;
-    e.started = false;
-  }
+bool timer_yun_reset(SimulatedElement& e, bool v) {
+  if (v) e.started = false;
   return v;
 }
 
@@ -75,7 +72,6 @@ bool timer_sim(SimulatedElement& e, std::int64_t parameter, bool v,
 bool timer_off_sim(SimulatedElement& e, std::int64_t parameter, bool v,
                    ElementClock& clock) {
   if (v) {
-    if (e.out && !e.started) e.held = clock.now - e.t0;
     e.started = true;
     e.out = true;
   }
@@ -84,11 +80,7 @@ bool timer_off_sim(SimulatedElement& e, std::int64_t parameter, bool v,
     e.started = false;
   }
   if (!e.started && e.out) {
-    const std::int64_t t = clock.now - e.t0;
-    if (reached(t, parameter, clock)) {
-      e.out = false;
-      e.held = t;
-    }
+    if (reached(clock.now - e.t0, parameter, clock)) e.out = false;
   }
   return e.out;
 }
@@ -154,7 +146,7 @@ bool execute_element(ElementCode code, SimulatedElement& element,
     case ElementCode::TimerYun:
       return timer_yun(element, parameter, inputs.v, clock);
     case ElementCode::TimerYunReset:
-      return timer_yun_reset(element, inputs.v, clock);
+      return timer_yun_reset(element, inputs.v);
     case ElementCode::TimerSim:
       return timer_sim(element, parameter, inputs.v, clock);
     case ElementCode::TimerOffSim:
@@ -197,9 +189,8 @@ ElementShape shape_of(ElementCode code) {
 bool is_running(ElementShape shape, const SimulatedElement& element) {
   switch (shape) {
     case ElementShape::TimerYun:
-      return element.started;
     case ElementShape::TimerSim:
-      return true;
+      return element.started;
     case ElementShape::TimerOffSim:
       return element.out && !element.started;
     case ElementShape::CounterYun:
@@ -212,7 +203,7 @@ bool is_running(ElementShape shape, const SimulatedElement& element) {
 
 std::int64_t elapsed_ms(ElementShape shape, const SimulatedElement& element,
                         std::int64_t now) {
-  return is_running(shape, element) ? now - element.t0 : element.held;
+  return is_running(shape, element) ? now - element.t0 : 0;
 }
 
 bool is_done(ElementShape shape, const SimulatedElement& element,
@@ -221,7 +212,7 @@ bool is_done(ElementShape shape, const SimulatedElement& element,
     case ElementShape::TimerYun:
       return element.started && now - element.t0 > parameter;
     case ElementShape::TimerSim:
-      return now - element.t0 >= parameter;
+      return elapsed_ms(shape, element, now) >= parameter;
     case ElementShape::TimerOffSim:
       return element.out;
     case ElementShape::CounterYun:

@@ -31,7 +31,6 @@ std::optional<ElementCode> find_element_code(const ElementKind& kind,
 /// What the listings keep in arrays by index; their names stand behind.
 struct SimulatedElement {
   std::int64_t t0 = 0;     // d1, d1TOF: the clock when the timer started
-  std::int64_t held = 0;   // elapsed ms when the timer last stopped
   std::int64_t count = 0;  // Cs
   bool started = false;    // TimerInit, TimerTOFInit
   bool out = false;        // outTimerTOF
@@ -74,7 +73,7 @@ enum class ElementShape : std::uint8_t {
   Edge,
 };
 ElementShape shape_of(ElementCode code);
-/// The time runs on from scan to scan.
+/// The time runs on from scan to scan; where it does not, elapsed_ms() is 0.
 bool is_running(ElementShape shape, const SimulatedElement& element);
 std::int64_t elapsed_ms(ElementShape shape, const SimulatedElement& element,
                         std::int64_t now);

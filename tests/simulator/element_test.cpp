@@ -126,18 +126,17 @@ TEST(TimerYun, ResetWithAFalseInputDoesNothing) {
   EXPECT_EQ(bench.scan(21, "10"), "10");
 }
 
-TEST(TimerYun, ElapsedStopsAtTheReset) {
+TEST(TimerYun, ElapsedIsSinceTheStartUntilTheReset) {
   Bench bench("yun", {{"T", 0, 20}, {"TR", 0, 0}});
   bench.scan(10, "00");
   EXPECT_EQ(bench.elapsed(), 0);
   bench.scan(10, "10");
   EXPECT_EQ(bench.elapsed(), 0);
-  bench.scan(7, "00");
-  EXPECT_EQ(bench.elapsed(), 7);
+  bench.scan(21, "00");
+  EXPECT_EQ(bench.elapsed(), 21);
+  EXPECT_TRUE(bench.done());
   bench.scan(5, "01");
-  EXPECT_EQ(bench.elapsed(), 12);
-  bench.scan(5, "00");
-  EXPECT_EQ(bench.elapsed(), 12);
+  EXPECT_EQ(bench.elapsed(), 0);
   EXPECT_FALSE(bench.done());
 }
 
@@ -194,6 +193,17 @@ TEST(TimerOff, FollowsUpAtOnceAndDownAfterThePreset) {
   EXPECT_EQ(bench.scan(19, "0"), "1");
   EXPECT_EQ(bench.scan(1, "0"), "0");
   EXPECT_EQ(bench.scan(10, "0"), "0");
+}
+
+TEST(TimerOff, ElapsedIsThatOfTheDelay) {
+  Bench bench("sim", {{"TOF", 0, 20}});
+  bench.scan(10, "1");
+  EXPECT_EQ(bench.elapsed(), 0);
+  bench.scan(10, "0");
+  bench.scan(15, "0");
+  EXPECT_EQ(bench.elapsed(), 15);
+  bench.scan(5, "0");
+  EXPECT_EQ(bench.elapsed(), 0);
 }
 
 TEST(TimerOff, AShortGapDoesNotShow) {
