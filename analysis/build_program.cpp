@@ -4,6 +4,7 @@
 #include <string>
 #include <utility>
 
+#include "analysis/build_postfix.h"
 #include "analysis/build_program_expression.h"
 #include "analysis/build_program_names.h"
 #include "analysis/program.h"
@@ -231,6 +232,7 @@ void ProgramBuilder::add_plant() {
 
 Program build_program(const Ast& ast, const BuildOptions& options,
                       DiagnosticSink& sink) {
+  if (ast.language == "postfix") return build_postfix(ast, sink);
   ErrorLimit errors(sink);
   Program program = ProgramBuilder(ast, options, errors).run();
   errors.finish();
