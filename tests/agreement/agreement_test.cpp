@@ -5,50 +5,22 @@
 // RUNG_AGREEMENT_SEED: the first one, to repeat a failure.
 
 #include <gtest/gtest.h>
-#include <rapidcheck/shrink/Shrink.h>
 
 #include <cstdint>
-#include <cstdlib>
 #include <iostream>
 #include <string>
 #include <vector>
 
 #include "comparison.h"
 #include "program_generator.h"
+#include "random_run.h"
+#include "shrink_tape.h"
 
 namespace rung {
 namespace {
 
-using TapeNumbers = std::vector<std::uint32_t>;
-
 constexpr std::uint32_t kScans = 50;
 constexpr std::size_t kTapeLength = 600;
-
-std::uint64_t setting(const char* name, std::uint64_t otherwise) {
-  const char* const text = std::getenv(name);
-  return text == nullptr ? otherwise : std::strtoull(text, nullptr, 10);
-}
-
-/// A tape that fails too and has no simpler neighbour that does.
-TapeNumbers shrink(TapeNumbers failing) {
-  const auto fails = [](const TapeNumbers& tape) {
-    return !compare(tape, kScans).difference.empty();
-  };
-  const auto simpler = [&](auto candidates) {
-    while (auto candidate = candidates.next()) {
-      if (!fails(*candidate)) continue;
-      failing = std::move(*candidate);
-      return true;
-    }
-    return false;
-  };
-  while (simpler(rc::shrink::removeChunks(failing)) ||
-         simpler(rc::shrink::eachElement(failing, [](std::uint32_t number) {
-           return rc::shrink::integral(number);
-         }))) {
-  }
-  return failing;
-}
 
 TEST(Agreement, RandomProgramsMeanTheSameToAll) {
   const std::uint64_t count = setting("RUNG_AGREEMENT_PROGRAMS", 2000);
@@ -56,12 +28,17 @@ TEST(Agreement, RandomProgramsMeanTheSameToAll) {
   std::uint64_t refused = 0;
   std::uint64_t scans = 0;
   for (std::uint64_t seed = first; seed < first + count; ++seed) {
-    const TapeNumbers tape = random_tape(seed, kTapeLength);
+    const std::vector<std::uint32_t> tape = random_tape(seed, kTapeLength);
     const Comparison comparison = compare(tape, kScans);
     refused += comparison.refused ? 1 : 0;
     scans += comparison.scans;
     if (comparison.difference.empty()) continue;
-    const Comparison smallest = compare(shrink(tape), kScans);
+    const Comparison smallest = compare(
+        shrink_tape(tape,
+                    [](const std::vector<std::uint32_t>& shorter) {
+                      return !compare(shorter, kScans).difference.empty();
+                    }),
+        kScans);
     FAIL() << "seed " << seed << ": " << comparison.difference
            << "\nThe smallest program that differs:\n"
            << smallest.text << smallest.difference;

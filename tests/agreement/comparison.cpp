@@ -1,16 +1,14 @@
 #include "comparison.h"
 
 #include <algorithm>
-#include <array>
 #include <optional>
-#include <utility>
 
 #include "analysis/formula.h"
 #include "analysis/program.h"
 #include "analysis/simulator.h"
 #include "analysis/transition_system.h"
-#include "frontend/script/reader.h"
 #include "program_generator.h"
+#include "random_run.h"
 #include "ts_interpreter.h"
 
 namespace rung {
@@ -38,22 +36,11 @@ class EndNames : public NameResolver {
   InstanceId id_;
 };
 
-std::optional<Program> read(const GeneratedProgram& generated) {
-  SourceSet sources;
-  const FileId file = sources.add("random.txt", generated.text);
-  DiagnosticList diagnostics;
-  const Ast ast = read_script(sources, file, generated.dialect, diagnostics);
-  Program program = build_program(ast, {}, diagnostics);
-  if (diagnostics.has_errors()) return std::nullopt;
-  // Texts that the views of a program point to are not looked at below.
-  return program;
-}
-
 class Comparer {
  public:
-  Comparer(const Program& program, Tape& tape, Comparison& result)
+  Comparer(const Program& program, const Stimulus& stimulus, Comparison& result)
       : program_(program),
-        tape_(tape),
+        stimulus_(stimulus),
         result_(result),
         ts_(build_transition_system(program)) {
     for (const InstanceId id : ids_of(program.instances)) {
@@ -64,89 +51,30 @@ class Comparer {
       observed_.push_back(
           compile_formula(ts_.exprs, parse_formula(kind.value), names));
     }
-    for (const CellId id : ids_of(program.cells)) {
-      const Cell& cell = program.cells[id];
-      if (cell.role != CellRole::Input) continue;
-      stimulus_.inputs.push_back(id);
-      sample_.push_back(cell.initial);
-    }
   }
 
-  void run(std::uint32_t scans) {
+  void run() {
     Simulator simulator(program_);
     TsInterpreter interpreter(ts_);
-    while (result_.scans < scans && result_.difference.empty()) {
-      const StimulusStep step = next_step();
-      set_inputs(step, simulator, interpreter);
+    for (const StimulusStep& step : stimulus_.steps) {
+      set_inputs(ts_, stimulus_, step, interpreter);
+      for (std::size_t i = 0; i < step.inputs.size(); ++i) {
+        simulator.set_input(stimulus_.inputs[i], step.inputs[i]);
+      }
       for (std::uint64_t i = 0; i < step.repeat; ++i) {
         simulator.scan(step.dt_ms);
         interpreter.step();
-        if (faulted(interpreter)) return;
+        if (faulted(ts_, interpreter)) return;
         compare_scan(simulator, interpreter);
         if (!result_.difference.empty()) return;
         ++result_.scans;
       }
-      stimulus_.steps.push_back(step);
       expect_end(simulator);
     }
     compare_jumps();
   }
 
  private:
-  StimulusStep next_step() {
-    constexpr std::array<std::int64_t, 6> kDts = {10, 1, 7, 100, 33, 16};
-    StimulusStep step;
-    step.dt_ms = kDts[tape_.pick(6)];
-    step.repeat = tape_.pick(4) == 3 ? 2 + tape_.pick(20) : 1;
-    for (std::size_t i = 0; i < sample_.size(); ++i) {
-      const Cell& cell = program_.cells[stimulus_.inputs[i]];
-      if (tape_.pick(3) != 1) continue;  // the input is held
-      sample_[i] = cell.type == Type::Bit ? 1 - sample_[i] : word(cell);
-    }
-    step.inputs = sample_;
-    return step;
-  }
-
-  // Small values meet the program's constants, the ends of the range its
-  // overflows.
-  std::int64_t word(const Cell& cell) {
-    switch (tape_.pick(4)) {
-      case 0:
-        return std::clamp<std::int64_t>(tape_.pick(60), cell.low, cell.high);
-      case 1:
-        return cell.high - tape_.pick(2);
-      case 2:
-        return cell.low + tape_.pick(2);
-      default:
-        return cell.low +
-               tape_.pick(static_cast<std::uint32_t>(cell.high - cell.low + 1));
-    }
-  }
-
-  void set_inputs(const StimulusStep& step, Simulator& simulator,
-                  TsInterpreter& interpreter) {
-    interpreter.set(ts_.dt, step.dt_ms);
-    for (std::size_t i = 0; i < step.inputs.size(); ++i) {
-      simulator.set_input(stimulus_.inputs[i], step.inputs[i]);
-    }
-    for (const Variable& var : ts_.vars) {
-      if (var.role != VarRole::Input) continue;
-      const auto at =
-          std::find(stimulus_.inputs.begin(), stimulus_.inputs.end(), var.cell);
-      interpreter.set(
-          ts_.exprs[var.expr].var,
-          step.inputs[static_cast<std::size_t>(at - stimulus_.inputs.begin())]);
-    }
-  }
-
-  // From here on the encoding does not claim to be the program.
-  bool faulted(const TsInterpreter& interpreter) const {
-    return std::any_of(ts_.faults.begin(), ts_.faults.end(),
-                       [&](const Fault& fault) {
-                         return interpreter.value(fault.condition) != 0;
-                       });
-  }
-
   void differ(const std::string& what, std::int64_t simulated,
               std::int64_t other) {
     if (!result_.difference.empty() || simulated == other) return;
@@ -202,7 +130,6 @@ class Comparer {
 
   // The same run, with its idle scans jumped over.
   void compare_jumps() {
-    if (!result_.difference.empty()) return;
     const Trace trace = simulate(program_, stimulus_);
     for (std::size_t i = 0; i < trace.steps.size(); ++i) {
       if (trace.steps[i].values == ends_[i]) continue;
@@ -213,14 +140,12 @@ class Comparer {
   }
 
   const Program& program_;
-  Tape& tape_;
+  const Stimulus& stimulus_;
   Comparison& result_;
   TransitionSystem ts_;
-  std::vector<ExprId> done_;      // by InstanceId
-  std::vector<ExprId> observed_;  // by InstanceId
-  Stimulus stimulus_;
-  std::vector<std::int64_t> sample_;
-  std::vector<std::vector<std::int64_t>> ends_;
+  std::vector<ExprId> done_;                     // by InstanceId
+  std::vector<ExprId> observed_;                 // by InstanceId
+  std::vector<std::vector<std::int64_t>> ends_;  // by step: all cells
 };
 
 }  // namespace
@@ -231,9 +156,13 @@ Comparison compare(const std::vector<std::uint32_t>& numbers,
   Comparison result;
   const GeneratedProgram generated = generate_program(tape, {});
   result.text = "// " + std::string(generated.dialect) + "\n" + generated.text;
-  const std::optional<Program> program = read(generated);
-  result.refused = !program.has_value();
-  if (program) Comparer(*program, tape, result).run(scans);
+  std::string error;
+  const std::optional<ReadProgram> read =
+      read_program(generated.dialect, generated.text, error);
+  result.refused = !read.has_value();
+  if (!read) return result;
+  const Stimulus stimulus = random_stimulus(read->program, tape, scans);
+  Comparer(read->program, stimulus, result).run();
   return result;
 }
 

@@ -1,0 +1,17 @@
+#pragma once
+
+#include <string>
+
+#include "analysis/program.h"
+#include "program_generator.h"
+
+namespace rung {
+
+/// One property line (with `//@ ` and a line end) over the names of `program`:
+/// every form, with prev, begin, rose, fell, once, and T(0).q and its like.
+std::string generate_property(const Program& program, Tape& tape);
+
+/// An `//@ assume` line over its bit inputs; empty when it has none.
+std::string generate_assumption(const Program& program, Tape& tape);
+
+}  // namespace rung
