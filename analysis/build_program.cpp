@@ -66,9 +66,20 @@ bool gives_truth(AstOp op) {
     case AstOp::GreaterEqual:
     case AstOp::Call:
       return true;
-    default:
+    case AstOp::Name:
+    case AstOp::Number:
+    case AstOp::String:
+    case AstOp::Negate:
+    case AstOp::And:
+    case AstOp::Or:
+    case AstOp::Xor:
+    case AstOp::Add:
+    case AstOp::Subtract:
+    case AstOp::Multiply:
+    case AstOp::Divide:
       return false;
   }
+  return false;
 }
 
 class ProgramBuilder {
@@ -193,6 +204,7 @@ void ProgramBuilder::note_plant_types() {
 
 void ProgramBuilder::add_rungs() {
   program_.rungs.reserve(ast_->rungs.size());
+  program_.nodes.reserve(ast_->nodes.size());
   for (const AstAssignment& rung : ast_->rungs) {
     const CellId target = names_.named(rung.target).cell;
     const auto begin = static_cast<std::uint32_t>(program_.nodes.size());

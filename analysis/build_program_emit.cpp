@@ -1,12 +1,39 @@
 // ExpressionBuilder, the second way up: the nodes of the program.
 
 #include <algorithm>
+#include <array>
+#include <cassert>
 #include <string>
 #include <utility>
 
 #include "analysis/build_program_expression.h"
 
 namespace rung::build {
+
+namespace {
+
+/// Of comparisons and arithmetic.
+NodeOp node_op(AstOp op) {
+  constexpr std::array<std::pair<AstOp, NodeOp>, 10> kOps = {{
+      {AstOp::Equal, NodeOp::Equal},
+      {AstOp::NotEqual, NodeOp::NotEqual},
+      {AstOp::Less, NodeOp::Less},
+      {AstOp::LessEqual, NodeOp::LessEqual},
+      {AstOp::Greater, NodeOp::Greater},
+      {AstOp::GreaterEqual, NodeOp::GreaterEqual},
+      {AstOp::Add, NodeOp::Add},
+      {AstOp::Subtract, NodeOp::Subtract},
+      {AstOp::Multiply, NodeOp::Multiply},
+      {AstOp::Divide, NodeOp::Divide},
+  }};
+  const auto* const row =
+      std::find_if(kOps.begin(), kOps.end(),
+                   [op](const auto& entry) { return entry.first == op; });
+  assert(row != kOps.end());
+  return row->second;
+}
+
+}  // namespace
 
 bool ExpressionBuilder::build(const AstExpression& expression, Type type) {
   begin_ = expression.begin;
@@ -75,93 +102,79 @@ void ExpressionBuilder::emit_node(std::uint32_t node) {
     case AstOp::String:
       break;  // constants; a text is never a value
     case AstOp::Not:
-      result = append(NodeOp::Not, Type::Bit, ast.where,
-                      results_[node - 1 - begin_]);
+      result = append(NodeOp::Not, Type::Bit, ast.where, result_of(node - 1));
       break;
     case AstOp::Negate:
-      result = append(NodeOp::Negate, Type::Word, ast.where,
-                      results_[node - 1 - begin_]);
+      result =
+          append(NodeOp::Negate, Type::Word, ast.where, result_of(node - 1));
       result = wrapped(result, node);
       break;
     case AstOp::Call:
       emit_call(node);
       break;
-    default:
-      emit_operator(node);
-      break;
-  }
-}
-
-void ExpressionBuilder::emit_operator(std::uint32_t node) {
-  const AstNode& ast = ast_node(node);
-  const std::uint32_t a = results_[left_of(node) - begin_];
-  std::uint32_t& result = results_[node - begin_];
-  if (ast.op == AstOp::Divide && !is_yun()) {
-    result = a;  // scaled; see use_arithmetic
-    return;
-  }
-  const std::uint32_t b = results_[right_of(node) - begin_];
-  const auto bit = [&](NodeOp op) {
-    result = append(op, Type::Bit, ast.where, a, b);
-  };
-  const auto word = [&](NodeOp op) {
-    result = wrapped(append(op, Type::Word, ast.where, a, b), node);
-  };
-  switch (ast.op) {
     case AstOp::And:
     case AstOp::Or:
-      bit(ast.op == AstOp::And ? NodeOp::And : NodeOp::Or);
-      if (const std::uint32_t marker = branches_[node - begin_]) {
-        program_->nodes[marker].target = result;
-        program_->nodes[marker].skip_when = ast.op == AstOp::Or;
-      }
-      break;
     case AstOp::Xor:
-      bit(NodeOp::Xor);
+      emit_choice(node);
       break;
     case AstOp::Equal:
     case AstOp::NotEqual:
-      result = emit_equality(ast.op, a, b, ast.where);
-      break;
     case AstOp::Less:
-      bit(NodeOp::Less);
-      break;
     case AstOp::LessEqual:
-      bit(NodeOp::LessEqual);
-      break;
     case AstOp::Greater:
-      bit(NodeOp::Greater);
-      break;
     case AstOp::GreaterEqual:
-      bit(NodeOp::GreaterEqual);
+      emit_comparison(node);
       break;
     case AstOp::Add:
-      word(NodeOp::Add);
-      break;
     case AstOp::Subtract:
-      word(NodeOp::Subtract);
-      break;
     case AstOp::Multiply:
-      word(NodeOp::Multiply);
-      break;
     case AstOp::Divide:
-      word(NodeOp::Divide);
-      break;
-    default:
+      emit_arithmetic(node);
       break;
   }
 }
 
-std::uint32_t ExpressionBuilder::emit_equality(AstOp op, std::uint32_t a,
-                                               std::uint32_t b,
-                                               const SourceRange& where) {
-  const bool equal = op == AstOp::Equal;
-  if (program_->nodes[a].type == Type::Word) {
-    return append(equal ? NodeOp::Equal : NodeOp::NotEqual, Type::Bit, where, a,
-                  b);
+void ExpressionBuilder::emit_choice(std::uint32_t node) {
+  const AstOp op = ast_node(node).op;
+  const NodeOp kind = op == AstOp::And  ? NodeOp::And
+                      : op == AstOp::Or ? NodeOp::Or
+                                        : NodeOp::Xor;
+  const std::uint32_t result =
+      append(kind, Type::Bit, ast_node(node).where, result_of(left_of(node)),
+             result_of(right_of(node)));
+  results_[node - begin_] = result;
+  if (const std::uint32_t marker = branches_[node - begin_]) {
+    program_->nodes[marker].target = result;
+    program_->nodes[marker].skip_when = op == AstOp::Or;
   }
-  const std::uint32_t differ = append(NodeOp::Xor, Type::Bit, where, a, b);
-  return equal ? append(NodeOp::Not, Type::Bit, where, differ) : differ;
+}
+
+/// Two bits are equal when they do not differ.
+void ExpressionBuilder::emit_comparison(std::uint32_t node) {
+  const SourceRange& where = ast_node(node).where;
+  const AstOp op = ast_node(node).op;
+  const std::uint32_t a = result_of(left_of(node));
+  const std::uint32_t b = result_of(right_of(node));
+  std::uint32_t& result = results_[node - begin_];
+  if (program_->nodes[a].type == Type::Word) {
+    result = append(node_op(op), Type::Bit, where, a, b);
+    return;
+  }
+  result = append(NodeOp::Xor, Type::Bit, where, a, b);
+  if (op == AstOp::Equal) {
+    result = append(NodeOp::Not, Type::Bit, where, result);
+  }
+}
+
+void ExpressionBuilder::emit_arithmetic(std::uint32_t node) {
+  const AstOp op = ast_node(node).op;
+  std::uint32_t& result = results_[node - begin_];
+  result = result_of(left_of(node));
+  // The sim dialect divides by scaling; see use_arithmetic.
+  if (op == AstOp::Divide && !is_yun()) return;
+  result = append(node_op(op), Type::Word, ast_node(node).where, result,
+                  result_of(right_of(node)));
+  result = wrapped(result, node);
 }
 
 /// The controller's words wrap; where the bounds say that they cannot, there
@@ -177,7 +190,7 @@ void ExpressionBuilder::emit_call(std::uint32_t node) {
   const SourceRange& where = ast_node(node).where;
   std::uint32_t& result = results_[node - begin_];
   const auto argument = [&](std::size_t i) {
-    return results_[call.arguments[i] - begin_];
+    return result_of(call.arguments[i]);
   };
   if (call.kind == ResolvedCall::Kind::Orn) {
     result = append(NodeOp::And, Type::Bit, where, argument(1), argument(2));
@@ -210,14 +223,14 @@ void ExpressionBuilder::emit_call(std::uint32_t node) {
 InstanceId ExpressionBuilder::instance(const ResolvedCall& call,
                                        const SourceRange& where) {
   const ElementKind* const kind = call.found.kind;
-  std::string name =
-      std::string(kind->letter) + "(" + std::to_string(call.index) + ")";
-  const auto [at, added] = instances_.emplace(name, InstanceId());
+  const auto [at, added] =
+      instances_.emplace(InstanceKey{kind, call.index}, InstanceId());
   if (added) {
     Instance instance;
     instance.kind = kind;
     instance.index = call.index;
-    instance.name = std::move(name);
+    instance.name =
+        std::string(kind->letter) + "(" + std::to_string(call.index) + ")";
     instance.where = where;
     at->second = program_->instances.add(std::move(instance));
   }
@@ -259,7 +272,7 @@ void ExpressionBuilder::emit_suffix(std::uint32_t node) {
   if (use(node).suffix == Use::Suffix::OrnOr) {
     const std::uint32_t first = node - ast_node(node).size;
     result = append(NodeOp::Or, Type::Bit, cover(ast_node(first).where, where),
-                    results_[first - begin_], result);
+                    result_of(first), result);
   }
 }
 

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 #include <unordered_map>
@@ -106,9 +108,9 @@ class ExpressionBuilder {
   void emit();
   void emit_node(std::uint32_t node);
   void emit_constant(std::uint32_t node);
-  void emit_operator(std::uint32_t node);
-  std::uint32_t emit_equality(AstOp op, std::uint32_t a, std::uint32_t b,
-                              const SourceRange& where);
+  void emit_choice(std::uint32_t node);
+  void emit_comparison(std::uint32_t node);
+  void emit_arithmetic(std::uint32_t node);
   std::uint32_t wrapped(std::uint32_t result, std::uint32_t node);
   void emit_call(std::uint32_t node);
   void emit_conversions(std::uint32_t node);
@@ -130,6 +132,9 @@ class ExpressionBuilder {
   std::uint32_t right_of(std::uint32_t node) const { return node - 1; }
   std::uint32_t left_of(std::uint32_t node) const {
     return node - 1 - ast_node(node - 1).size;
+  }
+  std::uint32_t result_of(std::uint32_t node) const {
+    return results_[node - begin_];
   }
   bool is_yun() const { return ast_->dialect == "yun"; }
   bool folds(std::uint32_t node) const {
@@ -157,7 +162,18 @@ class ExpressionBuilder {
   std::vector<ResolvedCall> calls_;
 
   // Of the program.
-  std::unordered_map<std::string, InstanceId> instances_;
+  struct InstanceKey {
+    const ElementKind* kind;
+    std::int64_t index;
+    bool operator==(const InstanceKey&) const = default;
+  };
+  struct InstanceHash {
+    std::size_t operator()(const InstanceKey& key) const {
+      return std::hash<const void*>()(key.kind) ^
+             (std::hash<std::int64_t>()(key.index) << 1U);
+    }
+  };
+  std::unordered_map<InstanceKey, InstanceId, InstanceHash> instances_;
   std::vector<SourceRange> strict_;
   SourceRange mixed_;
 };

@@ -44,12 +44,18 @@ std::int64_t number_after(std::string_view name, std::string_view prefix) {
   return value;
 }
 
-/// A point that the simulator does not have, such as I9: nothing sets it.
+/// A point that the simulator does not have, such as I9 or q0: nothing sets or
+/// shows it.
 bool is_missing_point(std::string_view name) {
-  return std::any_of(kSimNames.begin(), kSimNames.end(),
-                     [name](const NameRow& row) {
-                       return number_after(name, row.prefix) >= row.count;
-                     });
+  std::string upper(name);
+  std::transform(upper.begin(), upper.end(), upper.begin(), [](char c) {
+    return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
+  });
+  return std::any_of(
+      kSimNames.begin(), kSimNames.end(), [&](const NameRow& row) {
+        const std::int64_t number = number_after(upper, row.prefix);
+        return number >= row.count || (number != kNoNumber && upper != name);
+      });
 }
 
 std::vector<std::string> yun_names() {

@@ -56,6 +56,8 @@ constexpr std::array<std::string_view, 62> kReserved = {
     "try",        "typeof",    "undefined", "var",      "void",      "while",
     "with",       "yield"};
 
+static_assert(std::is_sorted(kReserved.begin(), kReserved.end()));
+
 /// What was probably meant by something that is not in the language.
 struct Hint {
   std::string_view seen;
@@ -79,11 +81,6 @@ std::string hint(std::string_view seen) {
     }
   }
   return {};
-}
-
-bool is_update(TokenKind kind) {
-  return kind == PlusAssign || kind == MinusAssign || kind == StarAssign ||
-         kind == SlashAssign || kind == Increment || kind == Decrement;
 }
 
 bool ends_statement(const Token& token) {

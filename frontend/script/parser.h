@@ -68,6 +68,7 @@ class PlantParser : public StatementParser {
     enum class Kind : std::uint8_t { Block, If, Else };
     Kind kind = Kind::Block;
     Token token;
+    bool broken = false;  // an `if` whose condition has an error
   };
 
   void statement();
@@ -79,6 +80,8 @@ class PlantParser : public StatementParser {
   bool prefix_update();
   bool call(const Token& callee, const Token& last);
   bool skip_arguments(const Token& callee);
+  bool check_argument(const Token& token);
+  void skip_parentheses();
   bool check_expression(const AstExpression& value);
   void close_block();
   void finish_statement();

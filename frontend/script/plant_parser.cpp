@@ -10,11 +10,6 @@ using Statement = AstPlantStatement::Kind;
 
 namespace {
 
-bool is_update(TokenKind kind) {
-  return kind == PlusAssign || kind == MinusAssign || kind == StarAssign ||
-         kind == SlashAssign || kind == Increment || kind == Decrement;
-}
-
 /// The operator that an updating assignment stands for.
 AstOp operator_of(TokenKind kind) {
   if (kind == PlusAssign || kind == Increment) return AstOp::Add;
@@ -33,10 +28,11 @@ void PlantParser::run() {
   for (; !open_.empty(); open_.pop_back()) {
     const Open& open = open_.back();
     const bool block = open.kind == Open::Kind::Block;
-    errors().error("RP016", cursor().range(open.token),
-                   block ? "this `{` is not closed"
-                         : "this `" + std::string(cursor().text(open.token)) +
-                               "` has no statement");
+    if (!open.broken)
+      errors().error("RP016", cursor().range(open.token),
+                     block ? "this `{` is not closed"
+                           : "this `" + std::string(cursor().text(open.token)) +
+                                 "` has no statement");
     if (!block) bracket(Statement::End, open.token);
   }
 }
@@ -109,7 +105,7 @@ bool PlantParser::if_head(const Token& word) {
     return false;
   }
   // Also after an error: its body and its `else` are still to be read.
-  open_.push_back({Open::Kind::If, word});
+  open_.push_back({Open::Kind::If, word, true});
   bracket(Statement::If, word);
   const std::size_t statement = ast().plant.size() - 1;
   if (!cursor().at(TokenKind::Open)) {
@@ -127,6 +123,7 @@ bool PlantParser::if_head(const Token& word) {
   const Token& close = cursor().take();
   ast().plant[statement].value = value->nodes;
   ast().plant[statement].where = from(word, close.end);
+  open_.back().broken = false;
   return true;
 }
 
@@ -158,6 +155,7 @@ bool PlantParser::named_statement() {
     errors().error(
         "RP014", cursor().range(token),
         quoted(word) + " is not supported: a plant has assignments and `if`");
+    if (cursor().at(TokenKind::Open)) skip_parentheses();
     return false;
   }
   if (cursor().at(Assign)) {
@@ -276,9 +274,10 @@ bool PlantParser::call(const Token& callee, const Token& last) {
   return end_statement();
 }
 
-/// Arguments may be anything that cannot change a cell or an element.
+/// To the `)` that closes the call, also after an error.
 bool PlantParser::skip_arguments(const Token& callee) {
   std::size_t depth = 0;
+  bool good = true;
   do {
     const Token& token = cursor().peek();
     if (at_section_end()) {
@@ -287,21 +286,37 @@ bool PlantParser::skip_arguments(const Token& callee) {
                          " is not closed: expected `)`");
       return false;
     }
-    const std::string_view text = cursor().text(token);
-    const bool calls_element = token.kind == Name && is_element(text) &&
-                               cursor().peek(1).kind == TokenKind::Open;
-    if (token.kind == Assign || is_update(token.kind) ||
-        token.kind == Unknown || calls_element || text == "function" ||
-        text == "=>") {
-      errors().error(
-          "RP014", cursor().range(token),
-          quoted(text) + " cannot stand in a call that is not executed");
-      return false;
-    }
+    good = good && check_argument(token);
     if (token.kind == TokenKind::Open) ++depth;
     if (token.kind == Close) --depth;
     cursor().take();
   } while (depth != 0);
+  return good;
+}
+
+/// The head of a statement that is not supported.
+void PlantParser::skip_parentheses() {
+  std::size_t depth = 0;
+  do {
+    if (at_section_end()) return;
+    const TokenKind kind = cursor().take().kind;
+    if (kind == TokenKind::Open) ++depth;
+    if (kind == Close) --depth;
+  } while (depth != 0);
+}
+
+/// Arguments may be anything that cannot change a cell or an element.
+bool PlantParser::check_argument(const Token& token) {
+  const std::string_view text = cursor().text(token);
+  const bool calls_element = token.kind == Name && is_element(text) &&
+                             cursor().peek(1).kind == TokenKind::Open;
+  if (token.kind == Assign || is_update(token.kind) || token.kind == Unknown ||
+      calls_element || text == "function" || text == "=>") {
+    errors().error(
+        "RP014", cursor().range(token),
+        quoted(text) + " cannot stand in a call that is not executed");
+    return false;
+  }
   return true;
 }
 

@@ -1,6 +1,7 @@
 #include "frontend/script/reader.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <string>
 #include <utility>
 
@@ -63,6 +64,15 @@ void take_annotations(script::TokenList& list, Ast& ast) {
   }
 }
 
+/// About as many tokens as nodes will be made of.
+std::size_t count_operands(const script::TokenList& list) {
+  const auto count = std::count_if(
+      list.tokens.begin(), list.tokens.end(), [](const Token& token) {
+        return token.kind >= TokenKind::Name && token.kind <= TokenKind::Not;
+      });
+  return static_cast<std::size_t>(count);
+}
+
 void read_sections(script::Cursor& cursor, Ast& ast, ErrorLimit& errors) {
   using script::PlantParser;
   bool seen_var = false;
@@ -108,6 +118,7 @@ Ast read_script(const SourceSet& sources, FileId file, std::string_view dialect,
   }
   take_annotations(list, ast);
   ast.comments = std::move(list.comments);
+  ast.nodes.reserve(count_operands(list));
   script::Cursor cursor(list);
   script::RungParser(cursor, ast, errors).run();
   read_sections(cursor, ast, errors);

@@ -86,31 +86,20 @@ void RungParser::no_assignment(const Token& target) {
                        "expression;`");
     return;
   }
-  switch (token.kind) {
-    case Open:
-      errors().error(
-          "RP010", cursor().range(target),
-          "the result of " + name + " is lost: a rung is `name = expression;`");
-      break;
-    case Equal:
-    case StrictEqual:
-      errors().error("RP010", cursor().range(token),
-                     seen + " compares: a rung assigns with `=`");
-      break;
-    case PlusAssign:
-    case MinusAssign:
-    case StarAssign:
-    case SlashAssign:
-    case Increment:
-    case Decrement:
-      errors().error("RP012", cursor().range(token),
-                     "the operator " + seen +
-                         " is not supported in a rung: write `name = "
-                         "expression;`");
-      break;
-    default:
-      report_unexpected(cursor(), token, "`=` after " + name, errors());
-      break;
+  if (token.kind == Open) {
+    errors().error(
+        "RP010", cursor().range(target),
+        "the result of " + name + " is lost: a rung is `name = expression;`");
+  } else if (token.kind == Equal || token.kind == StrictEqual) {
+    errors().error("RP010", cursor().range(token),
+                   seen + " compares: a rung assigns with `=`");
+  } else if (is_update(token.kind)) {
+    errors().error("RP012", cursor().range(token),
+                   "the operator " + seen +
+                       " is not supported in a rung: write `name = "
+                       "expression;`");
+  } else {
+    report_unexpected(cursor(), token, "`=` after " + name, errors());
   }
 }
 

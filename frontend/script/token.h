@@ -52,6 +52,11 @@ enum class TokenKind : std::uint8_t {
   Unknown,          // characters that no token has
 };
 
+/// `+=`, `++` and the like.
+constexpr bool is_update(TokenKind kind) {
+  return kind >= TokenKind::PlusAssign && kind <= TokenKind::Decrement;
+}
+
 struct Token {
   TokenKind kind = TokenKind::End;
   bool starts_line = false;  // a line end stands between it and the one before

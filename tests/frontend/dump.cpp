@@ -132,4 +132,31 @@ std::string dump(const Program& program, RungId rung) {
   return text;
 }
 
+std::string dump_rungs(const Program& program) {
+  std::string text;
+  for (const RungId id : ids_of(program.rungs)) {
+    if (!text.empty()) text += " | ";
+    text += program.cells[program.rungs[id].target].name + " = ";
+    text += dump(program, id);
+  }
+  return text;
+}
+
+std::string dump_cells(const Program& program) {
+  constexpr std::array<std::string_view, 3> kRoles = {"in", "out", "memory"};
+  std::string text;
+  for (const Cell& cell : program.cells) {
+    if (!text.empty()) text += ' ';
+    text += cell.name + ":";
+    text += kRoles[static_cast<std::size_t>(cell.role)];
+    if (cell.type == Type::Word) {
+      text += "[" + std::to_string(cell.low) + ".." +
+              std::to_string(cell.high) + "]";
+    }
+    if (cell.initial != 0) text += "=" + std::to_string(cell.initial);
+    if (cell.plant_written) text += "*";
+  }
+  return text;
+}
+
 }  // namespace rung::test

@@ -38,4 +38,10 @@ std::string dump(const Ast& ast, const AstExpression& expression);
 /// target, as in "?+3".
 std::string dump(const Program& program, RungId rung);
 
+/// Of all rungs: "Q0 = I0 Q1 ! ||\n..."; what every other test looks at.
+std::string dump_rungs(const Program& program);
+
+/// "I0:in Q0:out M0:memory=1 IW0:word in -5..5": cells in order.
+std::string dump_cells(const Program& program);
+
 }  // namespace rung::test
