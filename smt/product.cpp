@@ -1,0 +1,211 @@
+#include "smt/product.h"
+
+#include <cassert>
+#include <string>
+#include <unordered_map>
+#include <utility>
+
+namespace rung {
+namespace {
+
+/// Adds the terms of one system to the product, variable for variable.
+class Importer {
+ public:
+  Importer(const TransitionSystem& from, TransitionSystem& to)
+      : from_(from), to_(to), variable_(from.vars.size()) {}
+
+  void bind(VarId of, ExprId term) { variable_[of.index()] = term; }
+  bool is_bound(VarId of) const { return variable_[of.index()].has_value(); }
+
+  /// Operands have smaller ids: one pass.
+  void import_terms() {
+    terms_.reserve(from_.exprs.size());
+    for (std::uint32_t i = 0; i < from_.exprs.size(); ++i) {
+      terms_.push_back(build(from_.exprs[ExprId(i)]));
+    }
+  }
+  ExprId operator[](ExprId id) const {
+    return id.has_value() ? terms_[id.index()] : ExprId();
+  }
+
+ private:
+  ExprId build(const Expr& e) {
+    ExprArena& exprs = to_.exprs;
+    const ExprId a = (*this)[e.op == ExprOp::Variable ? ExprId() : e.a];
+    const ExprId b = (*this)[e.b];
+    switch (e.op) {
+      case ExprOp::Constant:
+        return e.type == Type::Bit ? exprs.bit(e.value != 0)
+                                   : exprs.word(e.value);
+      case ExprOp::Variable:
+        return variable_[e.var.index()];
+      case ExprOp::Not:
+        return exprs.negation(a);
+      case ExprOp::And:
+        return exprs.conjunction(a, b);
+      case ExprOp::Xor:
+        return exprs.exclusive_or(a, b);
+      case ExprOp::Equal:
+        return exprs.equal(a, b);
+      case ExprOp::Less:
+        return exprs.less(a, b);
+      case ExprOp::Add:
+        return exprs.add(a, b);
+      case ExprOp::Multiply:
+        return exprs.multiply(a, b);
+      case ExprOp::Divide:
+        return exprs.divide(a, from_.exprs[e.b].value);
+      case ExprOp::Wrap16:
+        return exprs.wrap16(a);
+      case ExprOp::Ite:
+        return exprs.ite(a, b, (*this)[e.c]);
+    }
+    assert(false);
+    return {};
+  }
+
+  const TransitionSystem& from_;
+  TransitionSystem& to_;
+  std::vector<ExprId> variable_;
+  std::vector<ExprId> terms_;
+};
+
+class ProductBuilder {
+ public:
+  ProductBuilder(const TransitionSystem& a, const TransitionSystem& b,
+                 const SharedSignals& shared)
+      : a_(a), b_(b), shared_(shared), from_a_(a, ts()), from_b_(b, ts()) {}
+
+  Product build(const std::vector<StatePair>& merged) {
+    ts().scan = a_.scan;
+    ts().dt = ts().add_input("dt", VarRole::Dt, Type::Word, a_.scan.min_ms,
+                             a_.scan.max_ms);
+    from_a_.bind(a_.dt, ts().of(ts().dt));
+    from_b_.bind(b_.dt, ts().of(ts().dt));
+    share_inputs();
+    product_.state_a = add_states(a_, "a.", from_a_);
+    product_.state_b.assign(b_.states.size(), kNoState);
+    for (const StatePair& pair : merged) {
+      const std::uint32_t one = product_.state_a[pair.a];
+      product_.state_b[pair.b] = one;
+      from_b_.bind(b_.states[pair.b].var, ts().state_expr(one));
+    }
+    add_rest(b_, "b.", from_b_, product_.state_b);
+    add_choices(a_, "a.", from_a_);
+    add_choices(b_, "b.", from_b_);
+    from_a_.import_terms();
+    from_b_.import_terms();
+    finish_states(a_, from_a_, product_.state_a);
+    finish_states(b_, from_b_, product_.state_b);
+    add_faults(a_, from_a_);
+    add_faults(b_, from_b_);
+    for (const SignalPair& pair : shared_.outputs) {
+      product_.same.push_back(
+          ts().exprs.equal(from_a_[a_.cell_end[pair.a.index()]],
+                           from_b_[b_.cell_end[pair.b.index()]]));
+    }
+    return std::move(product_);
+  }
+
+ private:
+  static constexpr std::uint32_t kNoState = 0xffff'ffff;
+
+  TransitionSystem& ts() { return product_.ts; }
+
+  static std::unordered_map<CellId, VarId> inputs_of(
+      const TransitionSystem& system) {
+    std::unordered_map<CellId, VarId> inputs;
+    for (const VarId id : ids_of(system.vars)) {
+      if (system.vars[id].role != VarRole::Input) continue;
+      inputs.emplace(system.vars[id].cell, id);
+    }
+    return inputs;
+  }
+
+  void share_inputs() {
+    const auto inputs_a = inputs_of(a_);
+    const auto inputs_b = inputs_of(b_);
+    for (std::uint32_t i = 0; i < shared_.inputs.size(); ++i) {
+      const SignalPair& pair = shared_.inputs[i];
+      const bool first = pair.a.has_value();
+      const VarId of = first ? inputs_a.at(pair.a) : inputs_b.at(pair.b);
+      const Variable& model = (first ? a_ : b_).vars[of];
+      std::string name = model.name;
+      if (!first) name.insert(0, "b.");
+      if (!pair.b.has_value()) name.insert(0, "a.");
+      const VarId input =
+          ts().add_input(std::move(name), VarRole::Input, model.type, model.low,
+                         model.high, CellId(i));
+      if (first) from_a_.bind(of, ts().of(input));
+      if (pair.b.has_value()) {
+        from_b_.bind(inputs_b.at(pair.b), ts().of(input));
+      }
+    }
+  }
+
+  std::vector<std::uint32_t> add_states(const TransitionSystem& from,
+                                        const std::string& side,
+                                        Importer& importer) {
+    std::vector<std::uint32_t> states(from.states.size(), kNoState);
+    add_rest(from, side, importer, states);
+    return states;
+  }
+
+  void add_rest(const TransitionSystem& from, const std::string& side,
+                Importer& importer, std::vector<std::uint32_t>& states) {
+    for (std::size_t i = 0; i < from.states.size(); ++i) {
+      if (states[i] != kNoState) continue;
+      const State& state = from.states[i];
+      const Variable& model = from.vars[state.var];
+      states[i] = ts().add_state(side + model.name, model.type, model.low,
+                                 model.high, state.init);
+      importer.bind(state.var, ts().state_expr(states[i]));
+    }
+  }
+
+  void add_choices(const TransitionSystem& from, const std::string& side,
+                   Importer& importer) {
+    for (const VarId id : ids_of(from.vars)) {
+      if (from.vars[id].role != VarRole::Choice) continue;
+      const VarId choice = ts().add_input(side + from.vars[id].name,
+                                          VarRole::Choice, Type::Bit, 0, 1);
+      importer.bind(id, ts().of(choice));
+    }
+  }
+
+  void finish_states(const TransitionSystem& from, const Importer& importer,
+                     const std::vector<std::uint32_t>& states) {
+    for (std::size_t i = 0; i < from.states.size(); ++i) {
+      State& state = ts().states[states[i]];
+      if (state.next.has_value()) continue;  // merged: the first one's
+      const State& model = from.states[i];
+      state.next = importer[model.next];
+      state.clock = model.clock;
+      state.running = importer[model.running];
+      state.cap = model.cap;
+    }
+  }
+
+  void add_faults(const TransitionSystem& from, const Importer& importer) {
+    for (const Fault& fault : from.faults) {
+      ts().faults.push_back({importer[fault.condition], {}, fault.where});
+    }
+  }
+
+  Product product_;
+  const TransitionSystem& a_;
+  const TransitionSystem& b_;
+  const SharedSignals& shared_;
+  Importer from_a_;
+  Importer from_b_;
+};
+
+}  // namespace
+
+Product make_product(const TransitionSystem& a, const TransitionSystem& b,
+                     const SharedSignals& shared,
+                     const std::vector<StatePair>& merged) {
+  return ProductBuilder(a, b, shared).build(merged);
+}
+
+}  // namespace rung

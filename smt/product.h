@@ -1,0 +1,26 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "smt/signals.h"
+
+namespace rung {
+
+/// Two systems in lock-step, on the same inputs and dt, as one. Variables of
+/// one side are named `a.x` and `b.x`; shared inputs keep their name. The cell
+/// of an input is its index in SharedSignals::inputs.
+struct Product {
+  TransitionSystem ts;
+  std::vector<std::uint32_t> state_a;  // by state of the first: its index here
+  std::vector<std::uint32_t> state_b;
+  std::vector<ExprId> same;  // by shared output: equal at a scan's end
+};
+
+/// `merged` pairs become one variable, that of the first system: sound where
+/// they are known to be equal in every scan.
+Product make_product(const TransitionSystem& a, const TransitionSystem& b,
+                     const SharedSignals& shared,
+                     const std::vector<StatePair>& merged);
+
+}  // namespace rung
