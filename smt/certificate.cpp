@@ -9,9 +9,11 @@
 #include <filesystem>
 #include <fstream>
 #include <optional>
+#include <unordered_map>
 #include <unordered_set>
 #include <utility>
 
+#include "smt/components.h"
 #include "smt/cvc5.h"
 #include "smt/smtlib.h"
 #include "smt/z3_context.h"
@@ -21,21 +23,29 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// Effort of one check, in Z3's own unit, so that an answer does not depend on
-/// the machine: some minutes.
-constexpr unsigned kResourceLimit = 2'000'000'000;
+/// Effort of one query in Z3's own unit, so that answers do not depend on the
+/// machine. The first try is without a clock: Z3 starts a thread for one, and
+/// that takes longer than most queries.
+constexpr unsigned kFirstTry = 5'000'000;
+constexpr unsigned kLastTry = 2'000'000'000;
 
 std::string describe(const TransitionSystem& ts, const Invariant& invariant,
-                     const ScriptClaim& claim) {
+                     const CertificateScript& script,
+                     const ScriptQuery& query) {
+  const ScriptClaim& claim = script.claims[query.claim];
+  std::string what(to_string(query.part));
   switch (claim.kind) {
     case ScriptClaim::Kind::Lemma:
-      return "lemma `" + to_string(ts, invariant.lemmas[claim.index]) + "`";
+      return what + " of lemma `" +
+             to_string(ts, invariant.lemmas[claim.index]) + "`";
     case ScriptClaim::Kind::Condition:
-      return "`" + to_string(ts, invariant.conditions[claim.index]) + "`";
+      return what + " of `" + to_string(ts, invariant.conditions[claim.index]) +
+             "`";
     case ScriptClaim::Kind::Range:
-      return "the range of `" + ts.vars[ts.states[claim.index].var].name + "`";
+      return what + " of the range of `" +
+             ts.vars[ts.states[claim.index].var].name + "`";
   }
-  return {};
+  return what;
 }
 
 /// Says which goal no condition states; empty when all are stated.
@@ -55,95 +65,111 @@ std::string uncovered_goal(const TransitionSystem& ts,
 class Z3Script {
  public:
   Z3Script(const Z3Context& context, const CertificateScript& script,
-           double seconds)
-      : context_(context), c_(context.get()), script_(script) {
+           Clock::time_point deadline)
+      : context_(context),
+        c_(context.get()),
+        script_(script),
+        deadline_(deadline) {
     // Without tactics: what is asked are many small refutations on one
     // encoding, and the core that keeps it is the faster one.
     solver_ = Z3_mk_simple_solver(c_);
     Z3_solver_inc_ref(c_, solver_);
+    limit(kFirstTry, 0);
+    Z3_solver_from_string(c_, solver_, script_.text.c_str());
+  }
+  ~Z3Script() {
+    for (const auto& [name, term] : symbols_) Z3_dec_ref(c_, term);
+    Z3_solver_dec_ref(c_, solver_);
+  }
+  Z3Script(const Z3Script&) = delete;
+  Z3Script& operator=(const Z3Script&) = delete;
+
+  CertificateOutcome decide(const ScriptQuery& query, std::string& why) {
+    why = context_.error();
+    if (!why.empty()) return CertificateOutcome::Undecided;
+    std::vector<Z3_ast> assumptions;
+    for (const std::string& symbol : script_.assumptions(query)) {
+      assumptions.push_back(constant(symbol));
+    }
+    Z3_ast broken = Z3_mk_not(c_, constant(query.broken));
+    Z3_inc_ref(c_, broken);
+    assumptions.push_back(broken);
+    const Z3_lbool answer = ask(assumptions, why);
+    Z3_dec_ref(c_, broken);
+    if (!why.empty()) return CertificateOutcome::Undecided;
+    return answer == Z3_L_FALSE ? CertificateOutcome::Accepted
+                                : CertificateOutcome::Rejected;
+  }
+
+ private:
+  void limit(unsigned effort, unsigned milliseconds) {
     Z3_params params = Z3_mk_params(c_);
     Z3_params_inc_ref(c_, params);
     const auto set = [&](const char* name, unsigned value) {
       Z3_params_set_uint(c_, params, Z3_mk_string_symbol(c_, name), value);
     };
     set("arith.solver", 2);
-    set("rlimit", kResourceLimit);
-    set("timeout", static_cast<unsigned>(std::clamp(seconds * 1000, 1.0, 4e9)));
+    set("rlimit", effort);
+    if (milliseconds != 0) set("timeout", milliseconds);
     Z3_solver_set_params(c_, solver_, params);
     Z3_params_dec_ref(c_, params);
-    Z3_solver_from_string(c_, solver_, script_.text.c_str());
-  }
-  ~Z3Script() {
-    for (const Z3_ast kept : kept_) Z3_dec_ref(c_, kept);
-    Z3_solver_dec_ref(c_, solver_);
-  }
-  Z3Script(const Z3Script&) = delete;
-  Z3Script& operator=(const Z3Script&) = delete;
-
-  /// Sets the outcome; `broken` is a claim that a counterexample falsifies.
-  CertificateOutcome decide(const ScriptQuery& query,
-                            std::optional<ScriptClaim>& broken,
-                            std::string& why) {
-    why = context_.error();
-    if (!why.empty()) return CertificateOutcome::Undecided;
-    std::vector<Z3_ast> assumptions;
-    for (const std::string& symbol : query.assumptions) {
-      assumptions.push_back(constant(symbol));
-    }
-    const Z3_lbool answer = Z3_solver_check_assumptions(
-        c_, solver_, static_cast<unsigned>(assumptions.size()),
-        assumptions.data());
-    why = context_.error();
-    if (!why.empty()) return CertificateOutcome::Undecided;
-    if (answer == Z3_L_FALSE) return CertificateOutcome::Accepted;
-    if (answer == Z3_L_TRUE) {
-      broken = find_broken(query);
-      return CertificateOutcome::Rejected;
-    }
-    why = Z3_solver_get_reason_unknown(c_, solver_);
-    return CertificateOutcome::Undecided;
   }
 
- private:
+  Z3_lbool ask(const std::vector<Z3_ast>& assumptions, std::string& why) {
+    while (true) {
+      const double left =
+          std::chrono::duration<double, std::milli>(deadline_ - Clock::now())
+              .count();
+      if (left <= 0) {
+        why = "time-out";
+        return Z3_L_UNDEF;
+      }
+      if (patient_) {
+        limit(kLastTry, static_cast<unsigned>(std::clamp(left, 1.0, 4e9)));
+      }
+      const Z3_lbool answer = Z3_solver_check_assumptions(
+          c_, solver_, static_cast<unsigned>(assumptions.size()),
+          assumptions.data());
+      why = context_.error();
+      if (!why.empty() || answer != Z3_L_UNDEF) return answer;
+      if (patient_) {
+        why = Z3_solver_get_reason_unknown(c_, solver_);
+        return answer;
+      }
+      patient_ = true;
+    }
+  }
+
   Z3_ast constant(const std::string& symbol) {
+    const auto known = symbols_.find(symbol);
+    if (known != symbols_.end()) return known->second;
     Z3_ast term = Z3_mk_const(c_, Z3_mk_string_symbol(c_, symbol.c_str()),
                               Z3_mk_bool_sort(c_));
     // Else the next call frees it.
     Z3_inc_ref(c_, term);
-    kept_.push_back(term);
+    symbols_.emplace(symbol, term);
     return term;
-  }
-
-  std::optional<ScriptClaim> find_broken(const ScriptQuery& query) {
-    Z3_model model = Z3_solver_get_model(c_, solver_);
-    if (model == nullptr) return std::nullopt;
-    Z3_model_inc_ref(c_, model);
-    std::optional<ScriptClaim> found;
-    for (const ScriptClaim& claim : script_.claims) {
-      if (!query.concerns(claim)) continue;
-      const Z3_ast symbol =
-          constant(claim.symbol + "@" + std::to_string(query.frame));
-      Z3_ast value = nullptr;
-      if (!Z3_model_eval(c_, model, symbol, false, &value)) continue;
-      if (Z3_get_bool_value(c_, value) != Z3_L_FALSE) continue;
-      found = claim;
-      break;
-    }
-    Z3_model_dec_ref(c_, model);
-    return found;
   }
 
   const Z3Context& context_;
   Z3_context c_;
   const CertificateScript& script_;
+  Clock::time_point deadline_;
   Z3_solver solver_ = nullptr;
-  std::vector<Z3_ast> kept_;
+  std::unordered_map<std::string, Z3_ast> symbols_;
+  bool patient_ = false;
 };
 
-/// A file that holds the script: the one asked for, or one that is removed.
+/// The independent parts of a certificate, each with its script.
+struct Part {
+  Invariant invariant;
+  CertificateScript script;
+};
+
+/// A file that holds the scripts: the one asked for, or one that is removed.
 class ScriptFile {
  public:
-  ScriptFile(const CertificateScript& script, const CertificateOptions& options)
+  ScriptFile(const std::vector<Part>& parts, const CertificateOptions& options)
       : temporary_(options.smtlib_directory.empty()) {
     std::error_code ignored;
     if (temporary_) {
@@ -155,7 +181,13 @@ class ScriptFile {
                   .string();
     }
     std::ofstream out(path_, std::ios::binary);
-    out << script.file("Rungproof certificate: " + options.name);
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+      if (i > 0) out << "(reset)\n";
+      out << parts[i].script.file("Rungproof certificate: " + options.name +
+                                  ", part " + std::to_string(i + 1) + " of " +
+                                  std::to_string(parts.size()));
+    }
+    out << "(exit)\n";
     out.close();
     if (!out) error_ = "cannot write `" + path_ + "`";
   }
@@ -202,54 +234,65 @@ class ScriptFile {
 struct CertificateSession::Impl {
   std::optional<Z3Context> context;
 
-  void ask_z3(const TransitionSystem& ts, const Invariant& invariant,
-              const CertificateScript& script, double seconds,
-              CertificateReport& report);
-  static void ask_cvc5(const CertificateScript& script, const ScriptFile& file,
-                       double seconds, CertificateReport& report);
+  void ask_z3(const TransitionSystem& ts, const std::vector<Part>& parts,
+              Clock::time_point deadline, CertificateReport& report);
+  bool ask_z3(const TransitionSystem& ts, const Part& part,
+              Clock::time_point deadline, CertificateReport& report);
 };
 
+bool CertificateSession::Impl::ask_z3(const TransitionSystem& ts,
+                                      const Part& part,
+                                      Clock::time_point deadline,
+                                      CertificateReport& report) {
+  Z3Script solver(*context, part.script, deadline);
+  for (const ScriptQuery& query : part.script.queries) {
+    std::string why;
+    report.outcome = solver.decide(query, why);
+    if (report.outcome == CertificateOutcome::Accepted) continue;
+    report.what = describe(ts, part.invariant, part.script, query);
+    if (!why.empty()) report.what += ": z3: " + why;
+    return false;
+  }
+  return true;
+}
+
 void CertificateSession::Impl::ask_z3(const TransitionSystem& ts,
-                                      const Invariant& invariant,
-                                      const CertificateScript& script,
-                                      double seconds,
+                                      const std::vector<Part>& parts,
+                                      Clock::time_point deadline,
                                       CertificateReport& report) {
   if (!context) context.emplace();
-  Z3Script solver(*context, script, seconds);
-  for (const ScriptQuery& query : script.queries) {
-    std::optional<ScriptClaim> broken;
-    std::string why;
-    report.outcome = solver.decide(query, broken, why);
-    if (report.outcome == CertificateOutcome::Accepted) continue;
-    report.what = to_string(query.part);
-    if (broken) report.what += " of " + describe(ts, invariant, *broken);
-    if (report.outcome == CertificateOutcome::Undecided) {
-      report.what += ": z3: " + why;
-    }
-    return;
+  for (const Part& part : parts) {
+    if (!ask_z3(ts, part, deadline, report)) return;
   }
+  report.outcome = CertificateOutcome::Accepted;
   report.checked_by.push_back("z3 " + z3_version());
 }
 
-void CertificateSession::Impl::ask_cvc5(const CertificateScript& script,
-                                        const ScriptFile& file, double seconds,
-                                        CertificateReport& report) {
-  const SolverAnswers said = run_cvc5(file.path(), seconds);
+namespace {
+
+void ask_cvc5(const TransitionSystem& ts, const std::vector<Part>& parts,
+              const std::string& path, double seconds,
+              CertificateReport& report) {
+  const SolverAnswers said = run_cvc5(path, seconds);
+  std::size_t next = 0;
   // A wrong answer counts even when the solver failed after it.
-  for (std::size_t i = 0; i < script.queries.size(); ++i) {
-    const std::string answer =
-        i < said.answers.size() ? said.answers[i] : "unknown";
-    if (answer == "unsat") continue;
-    const bool rejected = answer == "sat";
-    report.outcome =
-        rejected ? CertificateOutcome::Rejected : CertificateOutcome::Undecided;
-    report.what = std::string(to_string(script.queries[i].part)) +
-                  (rejected ? ": cvc5 has a counterexample, z3 has none"
-                            : ": cvc5 does not decide it");
-    if (!said.error.empty()) report.what += " (" + said.error + ")";
-    return;
+  for (const Part& part : parts) {
+    for (const ScriptQuery& query : part.script.queries) {
+      const std::string answer =
+          next < said.answers.size() ? said.answers[next] : "unknown";
+      ++next;
+      if (answer == "unsat") continue;
+      const bool rejected = answer == "sat";
+      report.outcome = rejected ? CertificateOutcome::Rejected
+                                : CertificateOutcome::Undecided;
+      report.what = describe(ts, part.invariant, part.script, query) +
+                    (rejected ? ": cvc5 has a counterexample, z3 has none"
+                              : ": cvc5 does not decide it");
+      if (!said.error.empty()) report.what += " (" + said.error + ")";
+      return;
+    }
   }
-  if (!said.error.empty() || said.answers.size() != script.queries.size()) {
+  if (!said.error.empty() || said.answers.size() != next) {
     report.outcome = CertificateOutcome::Undecided;
     report.what =
         said.error.empty() ? "cvc5 gave too many answers" : said.error;
@@ -257,6 +300,18 @@ void CertificateSession::Impl::ask_cvc5(const CertificateScript& script,
   }
   report.checked_by.push_back("cvc5 " + said.version);
 }
+
+std::vector<Part> parts_of(const TransitionSystem& ts,
+                           const Invariant& invariant) {
+  std::vector<Part> parts;
+  for (Invariant& part : split_certificate(ts, invariant)) {
+    CertificateScript script = make_certificate_script(ts, part);
+    parts.push_back({std::move(part), std::move(script)});
+  }
+  return parts;
+}
+
+}  // namespace
 
 CertificateSession::CertificateSession() : impl_(std::make_unique<Impl>()) {}
 CertificateSession::~CertificateSession() = default;
@@ -267,25 +322,30 @@ CertificateReport CertificateSession::check(const TransitionSystem& ts,
                                             const CertificateOptions& options) {
   const Clock::time_point start = Clock::now();
   CertificateReport report;
-  const CertificateScript script = make_certificate_script(ts, invariant);
+  const std::vector<Part> parts = parts_of(ts, invariant);
   std::optional<ScriptFile> file;
   if (!options.smtlib_directory.empty() || !options.recheck.empty()) {
-    file.emplace(script, options);
+    file.emplace(parts, options);
     if (!options.smtlib_directory.empty()) report.smtlib_path = file->path();
   }
-  const std::string uncovered = uncovered_goal(ts, invariant, goals);
-  if (!script.error.empty() || !uncovered.empty()) {
+  std::string wrong = uncovered_goal(ts, invariant, goals);
+  for (const Part& part : parts) {
+    if (!part.script.error.empty()) wrong = part.script.error;
+  }
+  if (!wrong.empty()) {
     report.outcome = CertificateOutcome::Rejected;
-    report.what = script.error.empty() ? uncovered : script.error;
+    report.what = wrong;
   } else if (file && !file->error().empty()) {
     report.what = file->error();
   } else if (!options.recheck.empty() && options.recheck != "cvc5") {
     report.what = "there is no solver `" + options.recheck + "` to ask";
   } else {
-    impl_->ask_z3(ts, invariant, script, options.seconds, report);
+    const auto limit = std::chrono::duration_cast<Clock::duration>(
+        std::chrono::duration<double>(std::clamp(options.seconds, 0.0, 1e6)));
+    impl_->ask_z3(ts, parts, start + limit, report);
     if (report.outcome == CertificateOutcome::Accepted && file &&
         !options.recheck.empty()) {
-      Impl::ask_cvc5(script, *file, options.seconds, report);
+      ask_cvc5(ts, parts, file->path(), options.seconds, report);
     }
   }
   report.milliseconds =

@@ -72,6 +72,7 @@ class ScriptWriter {
     choose_names();
     name_claims();
     script_.k = invariant_.k;
+    script_.constrained = !ts_.constraints.empty();
     script_.text = "(set-logic ";
     script_.text += nonlinear_ ? "QF_NIA)\n" : "QF_LIA)\n";
     declare("initial", "Bool");
@@ -238,10 +239,8 @@ class ScriptWriter {
     for (const VarId var : variables_) write_variable(var);
     write_terms();
     for (const ScriptClaim& claim : script_.claims) write_claim(claim);
-    write_broken("broken-lemmas", false);
     if (frame_ == 0) write_initial();
     if (last()) return;
-    write_broken("broken-conditions", true);
     write_constraints();
   }
 
@@ -375,19 +374,6 @@ class ScriptWriter {
     return chain("or", "false", atoms);
   }
 
-  /// `name`@f implies that a claim about the state (or, of `conditions`, about
-  /// the scan) of this frame is false.
-  void write_broken(const std::string& name, bool conditions) {
-    std::vector<std::string> broken;
-    for (const ScriptClaim& claim : script_.claims) {
-      const bool condition = claim.kind == ScriptClaim::Kind::Condition;
-      if (condition != conditions) continue;
-      broken.push_back(call("not", claim.symbol + suffix()));
-    }
-    declare(name + suffix(), "Bool");
-    require(call("=>", name + suffix(), chain("or", "false", broken)));
-  }
-
   void write_initial() {
     for (const std::uint32_t index : states_) {
       const State& state = ts_.states[index];
@@ -411,32 +397,26 @@ class ScriptWriter {
 
   // --- queries ---------------------------------------------------------------
 
-  /// A run may end where no further scan keeps the constraints, so a claim
-  /// about a state assumes them in the scans before it only.
-  void add_query(ScriptQuery::Part part, std::uint32_t frame, const char* start,
-                 bool conditions) {
-    ScriptQuery query{.part = part, .frame = frame};
-    query.conditions = conditions;
-    query.assumptions.emplace_back(start);
-    query.assumptions.push_back(
-        (conditions ? "broken-conditions@" : "broken-lemmas@") +
-        std::to_string(frame));
-    const std::uint32_t scans = conditions ? frame + 1 : frame;
-    for (std::uint32_t i = 0; i < scans && !ts_.constraints.empty(); ++i) {
-      query.assumptions.push_back("assumed@" + std::to_string(i));
+  void add_queries(ScriptQuery::Part part, std::uint32_t frame,
+                   bool conditions) {
+    for (std::uint32_t i = 0; i < script_.claims.size(); ++i) {
+      const ScriptClaim& claim = script_.claims[i];
+      const bool condition = claim.kind == ScriptClaim::Kind::Condition;
+      if (condition != conditions) continue;
+      script_.queries.push_back(
+          {part, frame, i, claim.symbol + "@" + std::to_string(frame)});
     }
-    script_.queries.push_back(std::move(query));
   }
 
   void write_queries() {
     using Part = ScriptQuery::Part;
     const std::uint32_t k = invariant_.k;
     for (std::uint32_t i = 0; i <= k; ++i) {
-      add_query(Part::Initiation, i, "initial", false);
-      if (i < k) add_query(Part::Initiation, i, "initial", true);
+      add_queries(Part::Initiation, i, false);
+      if (i < k) add_queries(Part::Initiation, i, true);
     }
-    add_query(Part::Consecution, k + 1, "hypothesis", false);
-    add_query(Part::Safety, k, "hypothesis", true);
+    add_queries(Part::Consecution, k + 1, false);
+    add_queries(Part::Safety, k, true);
   }
 
   const TransitionSystem& ts_;
@@ -471,19 +451,40 @@ CertificateScript make_certificate_script(const TransitionSystem& ts,
   return ScriptWriter(ts, invariant).write();
 }
 
+std::vector<std::string> CertificateScript::assumptions(
+    const ScriptQuery& query) const {
+  std::vector<std::string> symbols;
+  symbols.emplace_back(
+      query.part == ScriptQuery::Part::Initiation ? "initial" : "hypothesis");
+  if (!constrained) return symbols;
+  // A run may end where no further scan keeps the constraints: a claim about a
+  // state assumes them in the scans before it only.
+  const bool condition =
+      claims[query.claim].kind == ScriptClaim::Kind::Condition;
+  const std::uint32_t scans = query.frame + (condition ? 1 : 0);
+  for (std::uint32_t i = 0; i < scans; ++i) {
+    symbols.push_back("assumed@" + std::to_string(i));
+  }
+  return symbols;
+}
+
 std::string CertificateScript::file(const std::string& title) const {
   std::string result = "; " + printable(title) +
                        "\n; k = " + std::to_string(k) +
                        "; every answer must be unsat\n" + text;
+  const ScriptQuery* last = nullptr;
   for (const ScriptQuery& query : queries) {
-    result += "; " + std::string(to_string(query.part)) + ", frame " +
-              std::to_string(query.frame) + "\n(check-sat-assuming (";
-    for (std::size_t i = 0; i < query.assumptions.size(); ++i) {
-      result += (i == 0 ? "" : " ") + query.assumptions[i];
+    if (last == nullptr || last->part != query.part ||
+        last->frame != query.frame) {
+      result += "; " + std::string(to_string(query.part)) + ", frame " +
+                std::to_string(query.frame) + "\n";
     }
-    result += "))\n";
+    result += "(check-sat-assuming (";
+    for (const std::string& symbol : assumptions(query)) result += symbol + " ";
+    result += call("not", query.broken) + "))\n";
+    last = &query;
   }
-  return result + "(exit)\n";
+  return result;
 }
 
 }  // namespace rung

@@ -430,7 +430,7 @@ TEST_F(CertificateFile, TheRealCvc5Agrees) {
   const std::string path = (folder / "wrong.smt2").string();
   std::ofstream(path) << make_certificate_script(m.ts, wrong).file("wrong");
   const SolverAnswers said = run_cvc5(path, 60);
-  EXPECT_EQ(said.answers, (std::vector<std::string>{"unsat", "sat", "unsat"}));
+  EXPECT_EQ(said.answers, (std::vector<std::string>{"unsat", "sat"}));
 }
 
 }  // namespace
