@@ -23,7 +23,9 @@ struct EquivalenceOptions {
   bool self_check = true;
   /// Signal of the first program, signal of the second.
   std::vector<std::pair<std::string, std::string>> map;
-  std::vector<std::string> assumptions;  // formulas over shared inputs
+  std::vector<std::string> assumptions;  // formulas over inputs, checked
+  std::string recheck;           // "cvc5": re-check with that binary as well
+  std::string smtlib_directory;  // write the certificate there; empty: nowhere
 };
 
 struct EquivalenceResult {
@@ -31,6 +33,8 @@ struct EquivalenceResult {
   std::vector<std::string> outputs;  // compared, names of the first program
   std::string engine;
   std::string reason;
+  std::vector<std::string> not_compared;  // outputs of one side: "a.y3"
+  std::string differs;  // the output that does, as the first program names it
   std::optional<Certificate> certificate;
   std::optional<Stimulus> stimulus_a;  // inputs of both are the same values
   std::optional<Trace> trace_a;
@@ -42,6 +46,10 @@ struct EquivalenceResult {
 /// Are two programs the same, scan for scan from power-up, on the outputs that
 /// they share by name or by `map`, under the same inputs and dt? An input that
 /// only one side has is free.
+///
+/// Equal structure decides first, without a solver (smt/correspondence.h);
+/// then registers that stay equal, and the engines on what is left.
+/// Assumptions are over the names of the first program's inputs.
 EquivalenceResult check_equivalence(const Program& a, const Program& b,
                                     const EquivalenceOptions& options);
 

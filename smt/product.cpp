@@ -208,4 +208,40 @@ Product make_product(const TransitionSystem& a, const TransitionSystem& b,
   return ProductBuilder(a, b, shared).build(merged);
 }
 
+Invariant widen_invariant(const Product& reduced, const Invariant& invariant,
+                          Product& whole) {
+  std::vector<VarId> variable(reduced.ts.vars.size());
+  const auto place = [&](const std::vector<std::uint32_t>& from,
+                         const std::vector<std::uint32_t>& to) {
+    for (std::size_t i = 0; i < from.size(); ++i) {
+      VarId& var = variable[reduced.ts.states[from[i]].var.index()];
+      if (!var.has_value()) var = whole.ts.states[to[i]].var;
+    }
+  };
+  place(reduced.state_a, whole.state_a);
+  place(reduced.state_b, whole.state_b);
+  Importer importer(reduced.ts, whole.ts);
+  // Inputs are the same in both, but no lemma has one.
+  for (const VarId id : ids_of(reduced.ts.vars)) {
+    if (!variable[id.index()].has_value()) variable[id.index()] = whole.ts.dt;
+    const VarId var = variable[id.index()];
+    const bool same_type = whole.ts.vars[var].type == reduced.ts.vars[id].type;
+    importer.bind(id, same_type ? whole.ts.of(var) : whole.ts.exprs.bit(false));
+  }
+  importer.import_terms();
+  Invariant result;
+  result.k = invariant.k;
+  for (LemmaClause lemma : invariant.lemmas) {
+    for (LemmaAtom& atom : lemma) {
+      if (atom.term.has_value()) {
+        atom.term = importer[atom.term];
+      } else {
+        atom.var = variable[atom.var.index()];
+      }
+    }
+    result.lemmas.push_back(std::move(lemma));
+  }
+  return result;
+}
+
 }  // namespace rung

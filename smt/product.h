@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "smt/invariant.h"
 #include "smt/signals.h"
 
 namespace rung {
@@ -22,5 +23,10 @@ struct Product {
 Product make_product(const TransitionSystem& a, const TransitionSystem& b,
                      const SharedSignals& shared,
                      const std::vector<StatePair>& merged);
+
+/// An invariant of `reduced`, a product with merged states, over the variables
+/// of `whole`, the product of the same systems without: its lemmas, and its k.
+Invariant widen_invariant(const Product& reduced, const Invariant& invariant,
+                          Product& whole);
 
 }  // namespace rung

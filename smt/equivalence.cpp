@@ -1,0 +1,346 @@
+#include "smt/equivalence.h"
+
+#include <algorithm>
+#include <unordered_map>
+#include <unordered_set>
+#include <utility>
+
+#include "analysis/simulator.h"
+#include "smt/certificate.h"
+#include "smt/correspondence.h"
+#include "smt/equal_states.h"
+#include "smt/lockstep.h"
+#include "smt/portfolio.h"
+#include "smt/product.h"
+
+namespace rung {
+namespace {
+
+/// The inputs of a product by their names in the first program, or in the
+/// second when only that has them.
+class InputNames : public NameResolver {
+ public:
+  InputNames(const Program& a, const Program& b, const SharedSignals& shared,
+             const TransitionSystem& ts) {
+    for (const VarId id : ids_of(ts.vars)) {
+      const Variable& variable = ts.vars[id];
+      if (variable.role != VarRole::Input) continue;
+      const SignalPair& pair = shared.inputs[variable.cell.index()];
+      const Cell& cell = pair.a.has_value() ? a.cells[pair.a] : b.cells[pair.b];
+      terms_.emplace(cell.name, variable.expr);
+    }
+  }
+  ExprId resolve(std::string_view name) override {
+    const auto found = terms_.find(name);
+    return found == terms_.end() ? ExprId() : found->second;
+  }
+
+ private:
+  std::unordered_map<std::string_view, ExprId> terms_;
+};
+
+class EquivalenceCheck {
+ public:
+  EquivalenceCheck(const Program& a, const Program& b,
+                   const EquivalenceOptions& options)
+      : a_(a),
+        b_(b),
+        options_(options),
+        deadline_(options.budget.seconds),
+        shared_(share_signals(a, b, options.map)) {}
+
+  EquivalenceResult run() {
+    result_.error = shared_.error;
+    for (const std::string& text : options_.assumptions) {
+      if (result_.error.empty()) check_assumption(text);
+    }
+    if (!result_.error.empty()) return std::move(result_);
+    for (const SignalPair& pair : shared_.outputs) {
+      result_.outputs.push_back(a_.cells[pair.a].name);
+    }
+    result_.not_compared = shared_.alone;
+    const auto [a, b] = with_common_caps(a_, b_);
+    ts_a_ = build_transition_system(a);
+    ts_b_ = build_transition_system(b);
+    by_name_ = states_by_name(a, b, ts_a_, ts_b_, shared_);
+    if (!equal_by_structure()) decide_product();
+    return std::move(result_);
+  }
+
+ private:
+  void equivalent(std::string engine) {
+    result_.verdict = EquivalenceVerdict::Equivalent;
+    result_.engine = std::move(engine);
+  }
+  void unknown(std::string reason) {
+    result_.verdict = EquivalenceVerdict::Unknown;
+    result_.reason = std::move(reason);
+  }
+  void fail(const std::string& what) {
+    unknown("self-check failed: " + what);
+    result_.certificate.reset();
+    result_.failures.push_back({"equivalence", what});
+  }
+
+  std::string lemma(const StatePair& pair) const {
+    return "a." + ts_a_.vars[ts_a_.states[pair.a].var].name + " == b." +
+           ts_b_.vars[ts_b_.states[pair.b].var].name;
+  }
+
+  // --- without a solver ------------------------------------------------------
+
+  bool equal_by_structure() {
+    const TwoSystems systems{ts_a_, ts_b_, shared_};
+    const Correspondence found = correspond(systems, by_name_);
+    // Where one program leaves the range of the encoding, so does the other, in
+    // the same scan, from equal operands of the same operator.
+    if (!found.outputs_equal || !found.faults_equal) return false;
+    Certificate certificate;
+    if (options_.self_check) {
+      const std::string wrong = check_correspondence(systems, found);
+      if (!wrong.empty()) {
+        fail(wrong);
+        return true;
+      }
+      certificate.checked_by.emplace_back("structure");
+    }
+    for (const StatePair& pair : found.states) {
+      certificate.lemmas.push_back(lemma(pair));
+    }
+    equivalent("structure");
+    result_.certificate = std::move(certificate);
+    return true;
+  }
+
+  // --- with one --------------------------------------------------------------
+
+  Product product(const std::vector<StatePair>& merged) const {
+    Product made = make_product(ts_a_, ts_b_, shared_, merged);
+    InputNames names(a_, b_, shared_, made.ts);
+    for (const std::string& text : options_.assumptions) {
+      const Formula formula = parse_formula(text);
+      made.ts.constraints.push_back(
+          compile_formula(made.ts.exprs, formula, names));
+    }
+    return made;
+  }
+
+  void decide_product() {
+    Product whole = product({});
+    const EqualStates equal =
+        find_equal_states(ts_a_, ts_b_, whole, by_name_, deadline_);
+    Invariant invariant;
+    for (const StatePair& pair : equal.pairs) {
+      const ExprId same =
+          whole.ts.exprs.equal(whole.ts.state_expr(whole.state_a[pair.a]),
+                               whole.ts.state_expr(whole.state_b[pair.b]));
+      invariant.lemmas.push_back({{.term = same}});
+    }
+    const std::vector<ExprId> faults = never_faults(whole);
+    if (equal.all_outputs && faults.empty() && whole.ts.constraints.empty()) {
+      invariant.conditions = whole.same;
+      certify(whole, invariant, "register correspondence");
+      return;
+    }
+    decide_rest(whole, equal, invariant);
+  }
+
+  void check_assumption(const std::string& text) {
+    const Formula formula = parse_formula(text);
+    if (!formula.has_value()) {
+      result_.error = "the assumption `" + text + "` is no formula";
+      return;
+    }
+    std::unordered_set<std::string_view> names;
+    for (const SignalPair& pair : shared_.inputs) {
+      names.insert(pair.a.has_value() ? a_.cells[pair.a].name
+                                      : b_.cells[pair.b].name);
+    }
+    for (const FormulaNode& node : formula.nodes) {
+      if (node.op == FormulaOp::Call ||
+          (node.op == FormulaOp::Name && names.count(node.text) == 0)) {
+        result_.error = "the assumption `" + text + "` speaks of `" +
+                        std::string(node.text) +
+                        "`, which is no input of the programs";
+        return;
+      }
+    }
+  }
+
+  /// Negations of the faults that may touch what is compared.
+  static std::vector<ExprId> never_faults(Product& product) {
+    std::vector<ExprId> never;
+    const std::vector<bool> in_cone =
+        cone_of_influence(product.ts, product.same);
+    for (const Fault& fault : product.ts.faults) {
+      if (touches(product.ts, fault.condition, in_cone)) {
+        never.push_back(product.ts.exprs.negation(fault.condition));
+      }
+    }
+    return never;
+  }
+
+  static bool touches(const TransitionSystem& ts, ExprId root,
+                      const std::vector<bool>& variables) {
+    std::unordered_set<ExprId> seen;
+    std::vector<ExprId> open = {root};
+    while (!open.empty()) {
+      const ExprId id = open.back();
+      open.pop_back();
+      if (!seen.insert(id).second) continue;
+      const Expr& e = ts.exprs[id];
+      if (e.op == ExprOp::Variable && variables[e.var.index()]) return true;
+      for (const ExprId operand : {e.a, e.b, e.c}) {
+        if (operand.has_value()) open.push_back(operand);
+      }
+    }
+    return false;
+  }
+
+  /// The engines, on the product in which equal states are one.
+  void decide_rest(Product& whole, const EqualStates& equal,
+                   Invariant& invariant) {
+    Product reduced = product(equal.pairs);
+    std::vector<Target> targets;
+    for (const ExprId same : reduced.same) {
+      targets.push_back({.term = reduced.ts.exprs.negation(same),
+                         .never = same,
+                         .purpose = Target::Purpose::Violation});
+    }
+    const std::size_t outputs = targets.size();
+    for (const ExprId never : never_faults(reduced)) {
+      targets.push_back({.term = reduced.ts.exprs.negation(never),
+                         .never = never,
+                         .purpose = Target::Purpose::Fault});
+    }
+    if (!reduced.ts.constraints.empty()) {
+      // Some scan is allowed: else nothing was compared.
+      targets.push_back({.term = reduced.ts.exprs.bit(true),
+                         .never = reduced.ts.exprs.bit(false),
+                         .purpose = Target::Purpose::Trigger});
+    }
+    const std::vector<ExprId> growth = growth_terms(reduced.ts);
+    std::vector<Target*> all;
+    for (Target& target : targets) all.push_back(&target);
+    Portfolio portfolio(reduced.ts, growth, std::move(all),
+                        {{}, options_.budget.max_depth, &deadline_});
+    portfolio.run();
+    if (portfolio.cone().circuit().overflow()) {
+      return unknown("a number in it has no bound that fits 62 bits");
+    }
+    const auto reached = std::find_if(
+        targets.begin(), targets.begin() + static_cast<std::ptrdiff_t>(outputs),
+        [](const Target& t) { return t.status == Target::Status::Reached; });
+    if (reached != targets.begin() + static_cast<std::ptrdiff_t>(outputs)) {
+      return different(reduced, *reached);
+    }
+    conclude(whole, reduced, portfolio.invariant(), targets, outputs,
+             invariant);
+  }
+
+  void conclude(Product& whole, const Product& reduced, const Invariant& found,
+                const std::vector<Target>& targets, std::size_t outputs,
+                Invariant& invariant) {
+    std::string engine = "register correspondence";
+    for (std::size_t i = 0; i < targets.size(); ++i) {
+      const Target& target = targets[i];
+      if (target.purpose == Target::Purpose::Trigger) {
+        if (target.status == Target::Status::Unreachable) {
+          return unknown("no inputs meet the assumptions");
+        }
+        continue;
+      }
+      if (target.status == Target::Status::Unreachable) {
+        if (target.engine != "structural") engine = target.engine;
+        continue;
+      }
+      if (i >= outputs) return unknown("a number may leave its range");
+      return bounded(targets, outputs);
+    }
+    const Invariant rest = widen_invariant(reduced, found, whole);
+    invariant.k = rest.k;
+    invariant.lemmas.insert(invariant.lemmas.end(), rest.lemmas.begin(),
+                            rest.lemmas.end());
+    invariant.conditions = whole.same;
+    const std::vector<ExprId> never = never_faults(whole);
+    invariant.conditions.insert(invariant.conditions.end(), never.begin(),
+                                never.end());
+    certify(whole, invariant, engine);
+  }
+
+  void bounded(const std::vector<Target>& targets, std::size_t outputs) {
+    std::uint32_t bound = ~std::uint32_t{0};
+    for (std::size_t i = 0; i < outputs; ++i) {
+      if (targets[i].status != Target::Status::Open) continue;
+      bound = std::min(bound, targets[i].bound);
+    }
+    unknown("no difference within " + std::to_string(bound) +
+            " steps, and no proof that there is none");
+    result_.engine = "bmc";
+    if (bound > 0) result_.verdict = EquivalenceVerdict::Bounded;
+  }
+
+  void certify(const Product& whole, const Invariant& invariant,
+               std::string engine) {
+    Certificate certificate;
+    for (const LemmaClause& clause : invariant.lemmas) {
+      certificate.lemmas.push_back(to_string(whole.ts, clause));
+    }
+    if (options_.self_check) {
+      CertificateSession session;
+      const CertificateReport report =
+          session.check(whole.ts, invariant, whole.same,
+                        {options_.budget.seconds, options_.recheck,
+                         options_.smtlib_directory, "equivalence"});
+      if (report.outcome == CertificateOutcome::Rejected) {
+        return fail("certificate rejected: " + report.what);
+      }
+      if (report.outcome == CertificateOutcome::Undecided) {
+        return unknown("the certificate could not be checked: " + report.what);
+      }
+      certificate.checked_by = report.checked_by;
+      certificate.smtlib_path = report.smtlib_path;
+    }
+    equivalent(std::move(engine));
+    result_.certificate = std::move(certificate);
+  }
+
+  void different(const Product& reduced, const Target& target) {
+    const Stimulus stimulus = to_stimulus(reduced.ts, target.run);
+    LockStep run = run_lockstep(a_, b_, shared_, stimulus);
+    if (!run.differs) {
+      for (const Variable& variable : reduced.ts.vars) {
+        if (variable.role != VarRole::Choice) continue;
+        return unknown(
+            "the only run found leaves the range in which a counter is exact");
+      }
+      return fail("engine " + std::string(target.engine) +
+                  " found a difference; the simulators agree on that run");
+    }
+    result_.verdict = EquivalenceVerdict::Different;
+    result_.engine = target.engine;
+    result_.differs = std::move(run.output);
+    result_.trace_a = simulate(a_, run.stimulus_a);
+    result_.trace_b = simulate(b_, run.stimulus_b);
+    result_.stimulus_a = std::move(run.stimulus_a);
+  }
+
+  const Program& a_;
+  const Program& b_;
+  const EquivalenceOptions& options_;
+  Deadline deadline_;
+  SharedSignals shared_;
+  TransitionSystem ts_a_;
+  TransitionSystem ts_b_;
+  std::vector<StatePair> by_name_;
+  EquivalenceResult result_;
+};
+
+}  // namespace
+
+EquivalenceResult check_equivalence(const Program& a, const Program& b,
+                                    const EquivalenceOptions& options) {
+  return EquivalenceCheck(a, b, options).run();
+}
+
+}  // namespace rung

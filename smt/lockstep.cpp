@@ -1,0 +1,84 @@
+#include "smt/lockstep.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "analysis/simulator.h"
+
+namespace rung {
+namespace {
+
+/// One of the two programs: a simulator and what was fed to it.
+class Side {
+ public:
+  explicit Side(const Program& program)
+      : program_(program), simulator_(program) {}
+
+  void add_input(CellId cell) {
+    stimulus_.inputs.push_back(cell);
+    const Cell& model = program_.cells[cell];
+    values_.push_back(std::clamp<std::int64_t>(0, model.low, model.high));
+  }
+  void set(CellId cell, std::int64_t value) {
+    const auto at =
+        std::find(stimulus_.inputs.begin(), stimulus_.inputs.end(), cell);
+    values_[static_cast<std::size_t>(at - stimulus_.inputs.begin())] = value;
+  }
+  void begin_step(std::int64_t dt_ms) {
+    for (std::size_t i = 0; i < values_.size(); ++i) {
+      simulator_.set_input(stimulus_.inputs[i], values_[i]);
+    }
+    stimulus_.steps.push_back({dt_ms, 0, values_});
+  }
+  void scan() {
+    StimulusStep& step = stimulus_.steps.back();
+    ++step.repeat;
+    simulator_.scan(step.dt_ms);
+  }
+  std::int64_t value(CellId cell) const { return simulator_.value(cell); }
+  Stimulus take() { return std::move(stimulus_); }
+
+ private:
+  const Program& program_;
+  Simulator simulator_;
+  Stimulus stimulus_;
+  std::vector<std::int64_t> values_;
+};
+
+}  // namespace
+
+LockStep run_lockstep(const Program& a, const Program& b,
+                      const SharedSignals& shared, const Stimulus& stimulus) {
+  LockStep result;
+  Side first(a);
+  Side second(b);
+  for (const SignalPair& pair : shared.inputs) {
+    if (pair.a.has_value()) first.add_input(pair.a);
+    if (pair.b.has_value()) second.add_input(pair.b);
+  }
+  for (const StimulusStep& step : stimulus.steps) {
+    for (std::size_t i = 0; i < stimulus.inputs.size(); ++i) {
+      const SignalPair& pair = shared.inputs[stimulus.inputs[i].index()];
+      if (pair.a.has_value()) first.set(pair.a, step.inputs[i]);
+      if (pair.b.has_value()) second.set(pair.b, step.inputs[i]);
+    }
+    first.begin_step(step.dt_ms);
+    second.begin_step(step.dt_ms);
+    for (std::uint64_t i = 0; i < step.repeat && !result.differs; ++i) {
+      first.scan();
+      second.scan();
+      for (const SignalPair& pair : shared.outputs) {
+        if (first.value(pair.a) == second.value(pair.b)) continue;
+        result.differs = true;
+        result.output = a.cells[pair.a].name;
+        break;
+      }
+    }
+    if (result.differs) break;
+  }
+  result.stimulus_a = first.take();
+  result.stimulus_b = second.take();
+  return result;
+}
+
+}  // namespace rung

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <string>
+
+#include "analysis/trace.h"
+#include "smt/signals.h"
+
+namespace rung {
+
+/// Two programs executed on the same inputs, up to the first scan at whose end
+/// an output that they share differs.
+struct LockStep {
+  bool differs = false;
+  std::string output;  // the first that differs, as the first program names it
+  Stimulus stimulus_a;
+  Stimulus stimulus_b;
+};
+
+/// `stimulus` is of their product: its inputs are indices of shared.inputs.
+LockStep run_lockstep(const Program& a, const Program& b,
+                      const SharedSignals& shared, const Stimulus& stimulus);
+
+}  // namespace rung
