@@ -1,0 +1,90 @@
+#include "reports/report.h"
+
+namespace rung {
+namespace {
+
+void count(const ObligationResult& result, Summary& summary) {
+  ++summary.obligations;
+  switch (result.verdict) {
+    case Verdict::Proved:
+      ++summary.proved;
+      return;
+    case Verdict::Violated:
+      ++summary.violated;
+      return;
+    case Verdict::Bounded:
+      ++summary.bounded;
+      return;
+    case Verdict::Vacuous:
+      ++summary.vacuous;
+      return;
+    case Verdict::Unknown:
+      ++summary.unknown;
+      return;
+  }
+}
+
+void count(const Diagnostic& finding, Summary& summary) {
+  ++summary.findings;
+  if (is_input_error(finding)) {
+    ++summary.input_errors;
+    return;
+  }
+  switch (finding.severity) {
+    case Severity::Note:
+      ++summary.notes;
+      return;
+    case Severity::Warning:
+      ++summary.warnings;
+      return;
+    case Severity::Error:
+      ++summary.errors;
+      return;
+  }
+}
+
+std::size_t findings_at_or_above(const Summary& summary, Severity severity) {
+  switch (severity) {
+    case Severity::Note:
+      return summary.notes + summary.warnings + summary.errors;
+    case Severity::Warning:
+      return summary.warnings + summary.errors;
+    case Severity::Error:
+      return summary.errors;
+  }
+  return summary.findings;
+}
+
+}  // namespace
+
+Summary summarise(const Report& report) {
+  Summary summary;
+  for (const FileReport& file : report.files) {
+    ++summary.files;
+    if (file.program) summary.rungs += file.program->rungs.size();
+    for (const ObligationResult& result : file.results) count(result, summary);
+    for (const Diagnostic& finding : file.findings) count(finding, summary);
+    summary.failures += file.failures.size();
+  }
+  return summary;
+}
+
+bool is_input_error(const Diagnostic& diagnostic) {
+  return diagnostic.severity == Severity::Error &&
+         diagnostic.code.starts_with("RP0");
+}
+
+int exit_status(const Report& report) {
+  const Summary summary = summarise(report);
+  if (summary.failures > 0) return 4;
+  if (summary.input_errors > 0) return 2;
+  if (summary.violated > 0) return 1;
+  if (findings_at_or_above(summary, report.fail_on) > 0) return 1;
+  return summary.bounded + summary.vacuous + summary.unknown > 0 ? 3 : 0;
+}
+
+std::string_view rule_name(const Diagnostic& diagnostic) {
+  return diagnostic.rule.empty() ? std::string_view("input") : diagnostic.rule;
+}
+
+}  // namespace rung

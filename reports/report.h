@@ -1,0 +1,79 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "analysis/program.h"
+#include "analysis/property.h"
+#include "analysis/result.h"
+#include "analysis/rule.h"
+#include "base/diagnostic.h"
+#include "base/source.h"
+
+namespace rung {
+
+/// What one input file gave. Every writer reads the same record.
+struct FileReport {
+  FileId file;  // in Report::sources; has a value also when it was unreadable
+  std::string path;
+  std::string_view language;   // empty: not recognised
+  std::string_view dialect;    // empty: the language has none
+  std::string_view semantics;  // the preset it was read with
+  std::shared_ptr<const Program> program;  // null: input errors
+  PropertySet properties;
+  std::vector<std::string> notes;  // what is not part of the answer, and why
+  std::vector<Diagnostic> findings;
+  std::vector<ObligationResult> results;
+  std::vector<SelfCheckFailure> failures;
+};
+
+/// All that one run of `check`, `lint` or `prove` found.
+struct Report {
+  const SourceSet* sources = nullptr;
+  std::string_view command;  // "check"
+  std::string_view version;
+  std::vector<std::pair<std::string, std::string>> solvers;
+  std::span<const Rule* const> rules;  // documentation for SARIF; may be empty
+  std::string working_directory;       // absolute; paths below it are relative
+  Severity fail_on = Severity::Warning;
+  bool self_check = true;
+  bool linted = true;  // the lint rules were run
+  bool proved = true;  // the properties were decided
+  std::vector<FileReport> files;
+};
+
+struct Summary {
+  std::size_t files = 0;
+  std::size_t rungs = 0;
+  std::size_t obligations = 0;
+  std::size_t proved = 0;
+  std::size_t violated = 0;
+  std::size_t bounded = 0;
+  std::size_t vacuous = 0;
+  std::size_t unknown = 0;
+  std::size_t findings = 0;  // all, input errors too
+  std::size_t notes = 0;
+  std::size_t warnings = 0;
+  std::size_t errors = 0;  // of lint rules
+  std::size_t input_errors = 0;
+  std::size_t failures = 0;  // self-checks
+};
+Summary summarise(const Report& report);
+
+/// The program was not read to its end: codes RP0xx of severity error.
+bool is_input_error(const Diagnostic& diagnostic);
+
+/// The same for every format.
+/// 4: a self-check failed. 2: an input error. 1: a violation, or a finding at
+/// or above `fail_on`. 3: something bounded, vacuous or unknown. 0: none.
+int exit_status(const Report& report);
+
+/// The lint rule's name, or "input" for input errors.
+std::string_view rule_name(const Diagnostic& diagnostic);
+
+}  // namespace rung

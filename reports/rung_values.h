@@ -1,0 +1,33 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "analysis/program.h"
+#include "analysis/trace.h"
+#include "base/source.h"
+#include "reports/locate.h"
+#include "reports/paint.h"
+
+namespace rung {
+
+/// Rungs with the value of each operand under it, as the simulator has them in
+/// the last scan of `trace`:
+///
+///     3 | Q0 = (I0 || Q0) && !I1;
+///       | 1     0     1       0
+///
+/// An operand that was skipped (short-circuit) has a `-`. At most kMaxRungs
+/// rungs are drawn. Empty when the run is too long to be executed again for a
+/// picture, or the trace is not a run of the program.
+inline constexpr std::size_t kMaxRungs = 6;
+struct RungValues {
+  const SourceSet& sources;
+  const Program& program;
+  const Trace& trace;
+  std::vector<RungId> rungs;
+};
+std::string draw_rung_values(const RungValues& values, const Painter& paint,
+                             Locator& locator);
+
+}  // namespace rung

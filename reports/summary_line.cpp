@@ -1,0 +1,67 @@
+#include "reports/summary_line.h"
+
+#include <fmt/format.h>
+
+#include "reports/explain.h"
+
+namespace rung {
+namespace {
+
+/// "10 proved, 1 violated": the verdicts that occur.
+std::string verdict_counts(const Summary& summary) {
+  std::string out;
+  const auto add = [&](std::size_t count, std::string_view word) {
+    if (count > 0) {
+      out += fmt::format("{}{} {}", out.empty() ? "" : ", ", count, word);
+    }
+  };
+  add(summary.proved, "proved");
+  add(summary.violated, "violated");
+  add(summary.bounded, "bounded");
+  add(summary.vacuous, "vacuous");
+  add(summary.unknown, "unknown");
+  return out;
+}
+
+std::string finding_counts(const Summary& summary) {
+  std::string out;
+  const auto add = [&](std::size_t count, std::string_view noun) {
+    if (count > 0) out += (out.empty() ? "" : ", ") + counted(count, noun);
+  };
+  add(summary.input_errors, "input error");
+  add(summary.errors, "error");
+  add(summary.warnings, "warning");
+  add(summary.notes, "note");
+  return out.empty() ? "no findings" : out;
+}
+
+}  // namespace
+
+std::string summary_line(const Report& report, const Painter& paint) {
+  const Summary summary = summarise(report);
+  std::string out = "checked " + counted(summary.files, "file") + ", " +
+          counted(summary.rungs, "rung");
+  if (report.proved) {
+    if (summary.obligations == 0) {
+      out += ", no obligations";
+    } else if (summary.obligations == summary.proved) {
+      out += ": " + paint(Ink::Good, summary.proved == 1
+                                           ? "the obligation is proved"
+                                           : fmt::format("all {} obligations "
+                                                         "proved",
+                                                         summary.proved));
+    } else {
+      out += ", " + counted(summary.obligations, "obligation") + ": " +
+              verdict_counts(summary);
+    }
+  }
+  if (report.linted || summary.input_errors > 0) {
+    out += "; " + finding_counts(summary);
+  }
+  if (summary.failures > 0) {
+    out += "; " + counted(summary.failures, "failed self-check");
+  }
+  return out;
+}
+
+}  // namespace rung

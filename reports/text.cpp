@@ -1,0 +1,207 @@
+#include "reports/text.h"
+
+#include <fmt/format.h>
+
+#include <optional>
+
+#include "reports/cone.h"
+#include "reports/explain.h"
+#include "reports/frame.h"
+#include "reports/rung_values.h"
+#include "reports/scan_table.h"
+#include "reports/summary_line.h"
+#include "reports/unicode.h"
+
+namespace rung {
+namespace {
+
+std::string frame_of(const SourceSet& sources, const Diagnostic& diagnostic,
+                     const Painter& paint, Locator& locator) {
+  std::vector<Mark> marks = {{diagnostic.where, {}, true}};
+  for (const Label& label : diagnostic.labels) {
+    marks.push_back({label.where, label.text, false});
+  }
+  return draw_frame(sources, marks, ink_of(diagnostic.severity), paint,
+                    locator);
+}
+
+std::string diagnostic_text(const SourceSet& sources,
+                            const Diagnostic& diagnostic, const Painter& paint,
+                            Locator& locator) {
+  const Ink ink = ink_of(diagnostic.severity);
+  std::string head = fmt::format("{}[{}]", to_string(diagnostic.severity),
+                                 diagnostic.code);
+  std::string out = paint(ink, head) + ": " +
+                    paint(Ink::Strong, printable(diagnostic.message)) + "\n";
+  if (diagnostic.where.has_value()) {
+    out += frame_of(sources, diagnostic, paint, locator);
+  }
+  const auto remark = [&](std::string_view word, std::string_view text) {
+    out += "  " + paint(Ink::Frame, "=") + fmt::format(" {}: ", word) +
+           printable(text) + "\n";
+  };
+  if (!diagnostic.help.empty()) remark("help", diagnostic.help);
+  if (!diagnostic.rule.empty()) {
+    out += "  " + paint(Ink::Frame, "=") + " rule: " +
+           std::string(diagnostic.rule) + "\n";
+  }
+  return out;
+}
+
+class TextWriter {
+ public:
+  TextWriter(const Report& report, const TextOptions& options)
+      : report_(report),
+        detail_(options.detail),
+        paint_(options.colour),
+        locator_(*report.sources) {}
+
+  std::string write() {
+    for (const FileReport& file : report_.files) write_file(file);
+    if (detail_ != TextOptions::Detail::Quiet) {
+      write_notes();
+      out_ += summary_line(report_, paint_) + "\n";
+    }
+    return std::move(out_);
+  }
+
+ private:
+  using Detail = TextOptions::Detail;
+
+  void write_file(const FileReport& file) {
+    for (const Diagnostic& finding : file.findings) {
+      out_ += diagnostic_text(*report_.sources, finding, paint_, locator_);
+      out_ += '\n';
+    }
+    if (file.program) cones_.emplace(*file.program);
+    for (const ObligationResult& result : file.results) {
+      write_result(file, result);
+    }
+    cones_.reset();
+    for (const SelfCheckFailure& failure : file.failures) {
+      out_ += paint_(Ink::Error, "self-check failed") + ": " +
+              printable(failure.obligation) + ": " + failure.what + "\n\n";
+    }
+  }
+
+  void write_result(const FileReport& file, const ObligationResult& result) {
+    if (result.verdict == Verdict::Violated) {
+      write_violation(file, result);
+    } else if (result.verdict != Verdict::Proved) {
+      out_ += place_of(result.obligation.where) +
+              paint_(Ink::Warning, to_string(result.verdict)) + ": " +
+              title(result) + " (" + printable(undecided(result)) + ")\n";
+    } else if (detail_ == Detail::Verbose) {
+      out_ += place_of(result.obligation.where) +
+              paint_(Ink::Good, "proved") + ": " + title(result);
+    }
+    if (detail_ == Detail::Verbose) write_evidence(result);
+  }
+
+  /// Why there is no verdict: the reason, or what a bounded search means.
+  static std::string undecided(const ObligationResult& result) {
+    const std::string phrase = verdict_phrase(result);
+    const std::size_t colon = phrase.find(": ");
+    return colon == std::string::npos ? "no reason given"
+                                      : phrase.substr(colon + 2);
+  }
+
+  /// `NAME: TEXT`, or the text alone where the name is made from it.
+  static std::string title(const ObligationResult& result) {
+    return printable(result.obligation.name) + ": " +
+           printable(result.obligation.text);
+  }
+
+  std::string place_of(const SourceRange& where) {
+    if (!where.has_value()) return {};
+    const LineColumn at = locator_.of(where).begin;
+    return printable((*report_.sources)[where.file].path()) +
+           fmt::format(":{}:{}: ", at.line, at.column);
+  }
+
+  void write_violation(const FileReport& file, const ObligationResult& result) {
+    out_ += paint_(Ink::Error, "violated") + ": " +
+            paint_(Ink::Strong, title(result)) + "\n";
+    if (result.obligation.where.has_value()) {
+      out_ += draw_frame(*report_.sources, {{result.obligation.where, {}, true}},
+                         Ink::Error, paint_, locator_);
+    }
+    const bool readable = file.program && cones_;
+    out_ += "  " + paint_(Ink::Frame, "=") + " " +
+            (readable ? printable(explain(file, result, *cones_))
+                      : std::string("violated")) +
+            "\n\n";
+    if (!readable || !result.trace || result.trace->steps.empty()) return;
+    write_trace(file, result);
+  }
+
+  void write_trace(const FileReport& file, const ObligationResult& result) {
+    const auto& formulas = formulas_of(file, result.obligation);
+    const std::vector<CellId> named = cones_->named(formulas);
+    const std::vector<CellId> shown = relevant_signals(
+        *file.program, *result.trace, cones_->of(formulas), named);
+    out_ += draw_scan_table({*file.program, *result.trace, shown, "  "},
+                            paint_);
+    const std::string rungs = draw_rung_values(
+        {*report_.sources, *file.program, *result.trace,
+         cones_->drivers(named)},
+        paint_, locator_);
+    if (!rungs.empty()) out_ += "\n" + rungs;
+    out_ += '\n';
+  }
+
+  void write_evidence(const ObligationResult& result) {
+    out_ += result.verdict == Verdict::Proved ? "\n    by " : "    by ";
+    out_ += fmt::format("{}, {:.1f} ms", result.engine, result.milliseconds);
+    if (result.scans > 0) out_ += ", " + counted(result.scans, "scan");
+    if (result.certificate) {
+      for (const std::string& checker : result.certificate->checked_by) {
+        out_ += ", checked by " + checker;
+      }
+      for (const std::string& lemma : result.certificate->lemmas) {
+        out_ += "\n    invariant: " + printable(lemma);
+      }
+      if (!result.certificate->smtlib_path.empty()) {
+        out_ += "\n    certificate: " +
+                printable(result.certificate->smtlib_path);
+      }
+    }
+    out_ += '\n';
+  }
+
+  void write_notes() {
+    for (const FileReport& file : report_.files) {
+      for (const std::string& note : file.notes) {
+        out_ += paint_(Ink::Note, "note") + ": " + printable(file.path) + ": " +
+                printable(note) + "\n";
+      }
+    }
+    if (report_.proved && !report_.self_check) {
+      out_ += paint_(Ink::Note, "note") +
+              ": self-checks are off: no trace was replayed and no "
+              "certificate re-checked\n";
+    }
+  }
+
+  const Report& report_;
+  Detail detail_;
+  Painter paint_;
+  Locator locator_;
+  std::optional<Cones> cones_;
+  std::string out_;
+};
+
+}  // namespace
+
+std::string write_text(const Report& report, const TextOptions& options) {
+  return TextWriter(report, options).write();
+}
+
+std::string write_diagnostic(const SourceSet& sources,
+                             const Diagnostic& diagnostic, bool colour) {
+  const Painter paint(colour);
+  Locator locator(sources);
+  return diagnostic_text(sources, diagnostic, paint, locator);
+}
+
+}  // namespace rung
