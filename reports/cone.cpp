@@ -9,7 +9,7 @@ namespace {
 
 bool is_word(char c) {
   return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') ||
-         (c >= '0' && c <= '9') || c == '_' ||
+         (c >= '0' && c <= '9') || c == '_' || c == '.' ||
          (static_cast<unsigned char>(c) & 0x80U) != 0;
 }
 
