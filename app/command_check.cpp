@@ -1,0 +1,162 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <atomic>
+#include <exception>
+#include <mutex>
+#include <thread>
+
+#include "analysis/rule.h"
+#include "app/commands.h"
+#include "app/output.h"
+#include "app/session.h"
+#include "app/version.h"
+
+namespace rung {
+namespace {
+
+/// Is it `wanted`, or a part of it (`NAME.holds` of `NAME`)?
+bool is_selected(std::string_view name, const std::string& wanted) {
+  return name == wanted ||
+         (name.starts_with(wanted) && name[wanted.size()] == '.');
+}
+
+bool is_selected(std::string_view name,
+                 const std::vector<std::string>& wanted) {
+  return wanted.empty() ||
+         std::any_of(wanted.begin(), wanted.end(), [&](const std::string& one) {
+           return is_selected(name, one);
+         });
+}
+
+/// Keeps the properties that --property names, wholly or in part.
+PropertySet select(PropertySet all, const std::vector<std::string>& wanted) {
+  if (wanted.empty()) return all;
+  std::erase_if(all.properties, [&](const Property& property) {
+    const bool has_wanted_part =
+        std::any_of(wanted.begin(), wanted.end(), [&](const std::string& one) {
+          return is_selected(one, property.name);
+        });
+    return !has_wanted_part && !is_selected(property.name, wanted);
+  });
+  return all;
+}
+
+void lint(const SourceSet& sources, const Program& program,
+          FileReport& report) {
+  TransitionSystem ts = build_transition_system(program);
+  DiagnosticList found;
+  run_rules({sources, program, report.properties, ts, nullptr}, found);
+  report.findings = found.take();
+  sort_diagnostics(report.findings);
+}
+
+void prove(const Program& program, FileReport& report, const Options& options,
+           const VerifyOptions& verify_options) {
+  report.properties =
+      select(std::move(report.properties), options.properties);
+  VerifyReport answer = verify(program, report.properties, verify_options);
+  std::erase_if(answer.results, [&](const ObligationResult& result) {
+    return !is_selected(result.obligation.name, options.properties);
+  });
+  report.results = std::move(answer.results);
+  report.failures = std::move(answer.failures);
+}
+
+/// The properties that were asked for by name and that no program has.
+std::string missing_properties(const Report& report, const Options& options) {
+  std::string missing;
+  for (const std::string& wanted : options.properties) {
+    bool found = false;
+    for (const FileReport& file : report.files) {
+      for (const ObligationResult& result : file.results) {
+        found = found || is_selected(result.obligation.name, wanted);
+      }
+    }
+    if (!found) missing += fmt::format(" `{}`", wanted);
+  }
+  return missing;
+}
+
+class CheckRun {
+ public:
+  explicit CheckRun(Session& session) : session_(session) {
+    const Options& options = session.options();
+    report_.sources = &session.sources();
+    report_.command = options.command;
+    report_.version = kVersion;
+    report_.solvers = solver_versions();
+    report_.rules = all_rules();
+    report_.working_directory = working_directory();
+    report_.fail_on = options.fail_on;
+    report_.self_check = options.self_check;
+    report_.linted = options.command != "prove";
+    report_.proved = options.command != "lint";
+  }
+
+  const Report& run() {
+    const std::size_t count = session_.inputs().size();
+    report_.files.resize(count);
+    const std::size_t workers =
+        std::min<std::size_t>(session_.options().jobs, count);
+    std::vector<std::thread> threads;
+    for (std::size_t i = 1; i < workers; ++i) {
+      threads.emplace_back([this] { work(); });
+    }
+    work();
+    for (std::thread& thread : threads) thread.join();
+    if (failure_) std::rethrow_exception(failure_);
+    return report_;
+  }
+
+ private:
+  void work() {
+    try {
+      while (true) {
+        const std::size_t i = next_++;
+        if (i >= report_.files.size()) return;
+        report_.files[i] = check(i);
+      }
+    } catch (...) {
+      const std::lock_guard<std::mutex> lock(failure_mutex_);
+      failure_ = std::current_exception();
+    }
+  }
+
+  FileReport check(std::size_t index) {
+    const Input& input = session_.inputs()[index];
+    Loaded loaded = session_.load(input);
+    if (loaded.program) {
+      const VerifyOptions options = session_.verify_options(index);
+      if (report_.linted) {
+        lint(session_.sources(), *loaded.program, loaded.report);
+      }
+      if (report_.proved) {
+        prove(*loaded.program, loaded.report, session_.options(), options);
+      }
+    }
+    return std::move(loaded.report);
+  }
+
+  Session& session_;
+  Report report_;
+  std::atomic<std::size_t> next_ = 0;
+  std::mutex failure_mutex_;
+  std::exception_ptr failure_;
+};
+
+}  // namespace
+
+int run_check(const Options& options) {
+  Session session(options);
+  if (session.error()) return usage_error(*session.error());
+  CheckRun run(session);
+  const Report& report = run.run();
+  const int status = emit(report, options);
+  const std::string missing = missing_properties(report, options);
+  if (missing.empty() || !report.proved) return status;
+  usage_error("no property is called" + missing);
+  return std::max(status, kExitUsage);
+}
+
+}  // namespace rung

@@ -1,0 +1,93 @@
+#include <algorithm>
+#include <chrono>
+
+#include "app/commands.h"
+#include "app/output.h"
+#include "app/session.h"
+#include "app/version.h"
+#include "smt/equivalence.h"
+
+namespace rung {
+namespace {
+
+std::string_view to_word(EquivalenceVerdict verdict) {
+  switch (verdict) {
+    case EquivalenceVerdict::Equivalent:
+      return "equivalent";
+    case EquivalenceVerdict::Different:
+      return "different";
+    case EquivalenceVerdict::Bounded:
+      return "bounded";
+    case EquivalenceVerdict::Unknown:
+      return "unknown";
+  }
+  return "unknown";
+}
+
+EquivalenceReport empty_report(Session& session) {
+  EquivalenceReport report;
+  report.sources = &session.sources();
+  report.version = kVersion;
+  report.solvers = solver_versions();
+  report.working_directory = working_directory();
+  report.self_check = session.options().self_check;
+  report.map = session.options().map;
+  return report;
+}
+
+/// The assumptions of both programs hold: they are about shared inputs.
+std::vector<std::string> assumptions_of(const Loaded& a, const Loaded& b) {
+  std::vector<std::string> all = a.report.properties.assumptions;
+  for (const std::string& one : b.report.properties.assumptions) {
+    if (std::find(all.begin(), all.end(), one) == all.end()) {
+      all.push_back(one);
+    }
+  }
+  return all;
+}
+
+void take(EquivalenceResult result, EquivalenceReport& report) {
+  report.verdict = to_word(result.verdict);
+  report.outputs = std::move(result.outputs);
+  report.engine = std::move(result.engine);
+  report.reason = std::move(result.reason);
+  report.certificate = std::move(result.certificate);
+  report.trace_a = std::move(result.trace_a);
+  report.trace_b = std::move(result.trace_b);
+  report.failures = std::move(result.failures);
+  if (report.trace_a && !report.trace_a->steps.empty()) {
+    report.scans = report.trace_a->steps.back().scan;
+  }
+}
+
+}  // namespace
+
+int run_equiv(const Options& options) {
+  Session session(options);
+  if (session.error()) return usage_error(*session.error());
+  if (session.inputs().size() != 2) {
+    return usage_error("equiv takes two programs, and a directory is none");
+  }
+  EquivalenceReport report = empty_report(session);
+  Loaded a = session.load(session.inputs()[0]);
+  Loaded b = session.load(session.inputs()[1]);
+  report.a = a.report;
+  report.b = b.report;
+  if (!a.program || !b.program) return emit(report, options);
+  EquivalenceOptions equivalence;
+  equivalence.budget.seconds = options.timeout;
+  equivalence.self_check = options.self_check;
+  equivalence.map = options.map;
+  equivalence.assumptions = assumptions_of(a, b);
+  const auto start = std::chrono::steady_clock::now();
+  EquivalenceResult result =
+      check_equivalence(*a.program, *b.program, equivalence);
+  report.milliseconds = std::chrono::duration<double, std::milli>(
+                            std::chrono::steady_clock::now() - start)
+                            .count();
+  if (!result.error.empty()) return usage_error(result.error);
+  take(std::move(result), report);
+  return emit(report, options);
+}
+
+}  // namespace rung

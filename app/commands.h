@@ -1,0 +1,15 @@
+#pragma once
+
+#include "app/options.h"
+
+namespace rung {
+
+/// One function a subcommand; each returns the exit code.
+int run_check(const Options& options);  // check, lint and prove
+int run_equiv(const Options& options);
+int run_lower(const Options& options);
+int run_simulation(const Options& options);
+int run_render(const Options& options);
+int run_rule(const Options& options);
+
+}  // namespace rung

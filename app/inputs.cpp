@@ -1,0 +1,147 @@
+#include "app/inputs.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <filesystem>
+#include <memory>
+#include <system_error>
+#include <utility>
+
+namespace rung {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::string_view kEndings[] = {".rung"};
+
+struct Bytes {
+  std::string text;
+  std::string_view code;  // of the error; empty when there is none
+  std::string error;
+};
+
+struct Closer {
+  void operator()(std::FILE* file) const { std::fclose(file); }
+};
+
+/// Reads to the end: a pipe has no size to ask for.
+Bytes read_stream(std::FILE* stream) {
+  constexpr std::size_t kBlock = std::size_t{1} << 16;
+  Bytes bytes;
+  std::size_t used = 0;
+  while (true) {
+    bytes.text.resize(std::max(used + kBlock, bytes.text.size()));
+    const std::size_t got = std::fread(bytes.text.data() + used, 1,
+                                       bytes.text.size() - used, stream);
+    used += got;
+    if (used > kMaxFileBytes) {
+      return {"", "RP071", "the file is larger than 1 GiB"};
+    }
+    if (used < bytes.text.size()) break;
+    bytes.text.resize(2 * used);
+  }
+  if (std::ferror(stream) != 0) {
+    return {"", "RP070", fmt::format("cannot read: {}", std::strerror(errno))};
+  }
+  bytes.text.resize(used);
+  return bytes;
+}
+
+Bytes read_bytes(const std::string& path) {
+  if (path == "-") return read_stream(stdin);
+  std::error_code ignored;
+  if (fs::is_directory(path, ignored)) {
+    return {"", "RP070", "cannot read: it is a directory"};
+  }
+  const std::unique_ptr<std::FILE, Closer> file(
+      std::fopen(path.c_str(), "rb"));
+  if (!file) {
+    return {"", "RP070", fmt::format("cannot read: {}", std::strerror(errno))};
+  }
+  return read_stream(file.get());
+}
+
+Input failed(const std::string& path, SourceSet& sources,
+             std::string_view code, std::string message) {
+  const FileId file = sources.add(path, "");
+  return {file, path, file_error(file, code, std::move(message))};
+}
+
+bool has_known_ending(const fs::path& path) {
+  const std::string ending = path.extension().string();
+  return std::find(std::begin(kEndings), std::end(kEndings), ending) !=
+         std::end(kEndings);
+}
+
+/// The scripts below `directory`; `error` when some of it cannot be read.
+std::vector<std::string> scripts_below(const std::string& directory,
+                                       std::error_code& error) {
+  std::vector<std::string> found;
+  fs::recursive_directory_iterator at(directory, error);
+  while (!error && at != fs::recursive_directory_iterator()) {
+    std::error_code ignored;
+    if (has_known_ending(at->path()) && !at->is_directory(ignored)) {
+      found.push_back(at->path().string());
+    }
+    at.increment(error);
+  }
+  std::sort(found.begin(), found.end());
+  return found;
+}
+
+void read_directory(const std::string& path, SourceSet& sources,
+                    std::vector<Input>& inputs) {
+  std::error_code error;
+  const std::vector<std::string> scripts = scripts_below(path, error);
+  for (const std::string& script : scripts) {
+    inputs.push_back(read_input(script, sources));
+  }
+  if (error) {
+    inputs.push_back(failed(path, sources, "RP070",
+                            fmt::format("cannot read the whole directory: {}",
+                                        error.message())));
+  } else if (scripts.empty()) {
+    inputs.push_back(failed(path, sources, "RP072",
+                            "no program in this directory: no file ends in "
+                            "`.rung`"));
+  }
+}
+
+}  // namespace
+
+Diagnostic file_error(FileId file, std::string_view code, std::string message) {
+  Diagnostic diagnostic;
+  diagnostic.code = code;
+  diagnostic.severity = Severity::Error;
+  diagnostic.where = {file, 0, 0};
+  diagnostic.message = std::move(message);
+  return diagnostic;
+}
+
+Input read_input(const std::string& path, SourceSet& sources) {
+  Bytes bytes = read_bytes(path);
+  if (!bytes.code.empty()) {
+    return failed(path, sources, bytes.code, std::move(bytes.error));
+  }
+  return {sources.add(path, std::move(bytes.text)), path, std::nullopt};
+}
+
+std::vector<Input> read_inputs(const std::vector<std::string>& paths,
+                               SourceSet& sources) {
+  std::vector<Input> inputs;
+  for (const std::string& path : paths) {
+    std::error_code ignored;
+    if (path != "-" && fs::is_directory(path, ignored)) {
+      read_directory(path, sources, inputs);
+    } else {
+      inputs.push_back(read_input(path, sources));
+    }
+  }
+  return inputs;
+}
+
+}  // namespace rung

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/diagnostic.h"
+#include "base/source.h"
+
+namespace rung {
+
+/// One input, in memory; `error` says why there is nothing in it.
+struct Input {
+  FileId file;
+  std::string path;
+  std::optional<Diagnostic> error;
+};
+
+/// Reads a file, or standard input for `-`.
+/// Errors: RP070 unreadable, RP071 above kMaxFileBytes.
+Input read_input(const std::string& path, SourceSet& sources);
+
+/// The same for each path; a directory stands for the scripts (`*.rung`) below
+/// it, in sorted order. One without any is an error: RP072.
+std::vector<Input> read_inputs(const std::vector<std::string>& paths,
+                               SourceSet& sources);
+
+/// An error about a whole file.
+Diagnostic file_error(FileId file, std::string_view code, std::string message);
+
+}  // namespace rung

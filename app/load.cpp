@@ -1,0 +1,174 @@
+#include "app/load.h"
+
+#include <fmt/format.h>
+
+#include <string>
+#include <string_view>
+
+#include "frontend/recognise.h"
+#include "frontend/script/reader.h"
+
+namespace rung {
+namespace {
+
+constexpr std::string_view kBlanks = " \t\r";
+
+/// The language of an input, or why there is no reader for it.
+const Language* choose_language(const Input& input, const Options& options,
+                                std::string_view text, DiagnosticSink& sink) {
+  const std::string_view named = !options.language.empty()
+                                     ? std::string_view(options.language)
+                                     : declared_language(text);
+  const Language* language =
+      named.empty() ? &recognise(text) : find_language(named);
+  if (language == nullptr) {
+    std::string known;
+    for (const Language& one : languages()) {
+      known += fmt::format("{}`{}`", known.empty() ? "" : ", ", one.name);
+    }
+    sink.report(file_error(
+        input.file, "RP073",
+        fmt::format("there is no language `{}`: the names are {}", named,
+                    known)));
+    return nullptr;
+  }
+  if (!language->supported) {
+    sink.report(file_error(
+        input.file, "RP074",
+        fmt::format("this {} `{}`, a language that is not supported yet",
+                    named.empty() ? "looks like" : "is said to be",
+                    language->name)));
+    return nullptr;
+  }
+  return language;
+}
+
+/// The dialect that the options ask for; empty: the text decides.
+std::string_view choose_dialect(const Input& input, const Options& options,
+                                DiagnosticSink& sink) {
+  const auto known = [](std::string_view name) {
+    return name.empty() || name == "yun" || name == "sim";
+  };
+  if (!known(options.dialect)) {
+    sink.report(file_error(input.file, "RP075",
+                           fmt::format("there is no dialect `{}`: the names "
+                                       "are `yun`, `sim`",
+                                       options.dialect)));
+    return {};
+  }
+  if (!known(options.semantics)) {
+    sink.report(file_error(input.file, "RP076",
+                           fmt::format("there are no semantics `{}` for this "
+                                       "language: the presets are `yun`, `sim`",
+                                       options.semantics)));
+    return {};
+  }
+  if (!options.dialect.empty() && !options.semantics.empty() &&
+      options.dialect != options.semantics) {
+    sink.report(file_error(
+        input.file, "RP076",
+        fmt::format("the dialect `{}` has its own semantics, not `{}`",
+                    options.dialect, options.semantics)));
+    return {};
+  }
+  return options.dialect.empty() ? options.semantics : options.dialect;
+}
+
+/// What is not part of the answer.
+std::vector<std::string> notes_of(const Program& program) {
+  std::vector<std::string> notes;
+  std::string inputs;
+  for (const Cell& cell : program.cells) {
+    if (!cell.plant_written || cell.role != CellRole::Input) continue;
+    inputs += inputs.empty() ? "" : ", ";
+    inputs += cell.type == Type::Word
+                  ? fmt::format("`{}` is free in {}..{}", cell.name, cell.low,
+                                cell.high)
+                  : fmt::format("`{}` is free", cell.name);
+  }
+  if (!program.plant.statements.empty()) {
+    notes.push_back("the plant (`//Sim`) is not part of proofs" +
+                    (inputs.empty() ? "" : ": " + inputs));
+  }
+  return notes;
+}
+
+Ast read(const Input& input, const Language& language,
+         std::string_view dialect, const SourceSet& sources,
+         DiagnosticSink& sink) {
+  static_cast<void>(language);  // one reader so far
+  return read_script(sources, input.file, dialect, sink);
+}
+
+/// Reads, builds and binds the properties, as far as there are no errors.
+std::shared_ptr<Program> build(const Input& input, const Options& options,
+                               const std::vector<AstAnnotation>& extra,
+                               const SourceSet& sources, FileReport& report,
+                               DiagnosticList& errors) {
+  const std::string_view text = sources[input.file].text();
+  const Language* language = choose_language(input, options, text, errors);
+  if (language == nullptr) return nullptr;
+  report.language = language->name;
+  const std::string_view dialect = choose_dialect(input, options, errors);
+  if (errors.has_errors()) return nullptr;
+  const Ast ast = read(input, *language, dialect, sources, errors);
+  report.dialect = ast.dialect;
+  report.semantics = ast.dialect;
+  if (errors.has_errors()) return nullptr;
+  BuildOptions build_options;
+  if (options.scan) build_options.scan = *options.scan;
+  auto program =
+      std::make_shared<Program>(build_program(ast, build_options, errors));
+  if (errors.has_errors()) return nullptr;
+  report.properties = read_properties(*program, extra, sources, errors);
+  if (errors.has_errors()) return nullptr;
+  // The command line has the last word over `//@ scan` lines.
+  if (options.scan) program->scan = *options.scan;
+  return program;
+}
+
+}  // namespace
+
+std::vector<AstAnnotation> property_lines(const SourceSet& sources,
+                                          FileId file) {
+  std::vector<AstAnnotation> lines;
+  const std::string_view text = sources[file].text();
+  for (std::size_t at = 0; at < text.size();) {
+    const std::size_t end = std::min(text.find('\n', at), text.size());
+    const std::size_t begin =
+        std::min(text.find_first_not_of(kBlanks, at), end);
+    std::string_view line = text.substr(begin, end - begin);
+    at = end + 1;
+    while (!line.empty() && kBlanks.find(line.back()) != kBlanks.npos) {
+      line.remove_suffix(1);
+    }
+    if (line.empty() || line.starts_with("//")) continue;
+    const auto offset = static_cast<std::uint32_t>(begin);
+    const auto length = static_cast<std::uint32_t>(line.size());
+    lines.push_back({line, {file, offset, offset + length}});
+  }
+  return lines;
+}
+
+Loaded load(const Input& input, const Options& options,
+            const std::vector<AstAnnotation>& extra, const SourceSet& sources) {
+  Loaded loaded;
+  loaded.report.file = input.file;
+  loaded.report.path = input.path;
+  if (input.error) {
+    loaded.report.findings.push_back(*input.error);
+    return loaded;
+  }
+  DiagnosticList found;
+  loaded.program =
+      build(input, options, extra, sources, loaded.report, found);
+  loaded.report.findings = found.take();
+  sort_diagnostics(loaded.report.findings);
+  if (loaded.program) {
+    loaded.report.program = loaded.program;
+    loaded.report.notes = notes_of(*loaded.program);
+  }
+  return loaded;
+}
+
+}  // namespace rung

@@ -1,0 +1,271 @@
+#include "app/options.h"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <charconv>
+#include <cstdio>
+#include <string_view>
+
+#include "app/version.h"
+#include "smt/verify.h"
+
+namespace rung {
+namespace {
+
+/// What CLI11 fills in: texts that are checked afterwards.
+struct RawOptions {
+  std::vector<std::string> formats;
+  std::string scan;
+  std::string fail_on = "warning";
+  std::string colour = "auto";
+  std::string self_check = "on";
+  std::vector<std::string> map;
+  std::vector<std::string> inject;
+  bool quiet = false;
+  bool verbose = false;
+  std::string scans;
+  std::string dt;
+};
+
+/// A whole number and nothing else.
+std::optional<std::int64_t> whole_number(std::string_view text) {
+  std::int64_t value = 0;
+  const auto [end, error] =
+      std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc{} || end != text.data() + text.size()) return {};
+  return value;
+}
+
+/// A value that is wrong: the option and what it should have been.
+[[noreturn]] void refuse(std::string_view option, std::string_view value,
+                         std::string_view expected) {
+  throw CLI::ValidationError(
+      fmt::format("{}: `{}` is not {}", option, value, expected),
+      CLI::ExitCodes::ValidationError);
+}
+
+constexpr std::int64_t kMaxScanMs = 2147483647;
+
+/// `1..100`, also with a unit as the property line has it: `1..100ms`.
+ScanInterval parse_scan(std::string text) {
+  const std::string written = text;
+  const std::string_view expected =
+      "MIN..MAX in whole milliseconds, 1 <= MIN <= MAX <= 2147483647";
+  if (text.ends_with("ms")) text.resize(text.size() - 2);
+  while (text.ends_with(' ')) text.pop_back();
+  const std::size_t dots = text.find("..");
+  if (dots == std::string::npos) refuse("--scan", written, expected);
+  const auto low = whole_number(std::string_view(text).substr(0, dots));
+  const auto high = whole_number(std::string_view(text).substr(dots + 2));
+  if (!low || !high || *low < 1 || *low > *high || *high > kMaxScanMs) {
+    refuse("--scan", written, expected);
+  }
+  return {*low, *high};
+}
+
+FormatRequest parse_format(const std::string& text) {
+  const std::size_t colon = text.find(':');
+  if (colon == std::string::npos) return {text, ""};
+  if (colon + 1 == text.size()) refuse("--format", text, "FORMAT:FILE");
+  return {text.substr(0, colon), text.substr(colon + 1)};
+}
+
+std::pair<std::string, std::string> parse_map(const std::string& text) {
+  const std::size_t equals = text.find('=');
+  if (equals == std::string::npos || equals == 0 ||
+      equals + 1 == text.size()) {
+    refuse("--map", text, "of the form a=b");
+  }
+  return {text.substr(0, equals), text.substr(equals + 1)};
+}
+
+Severity parse_severity(const std::string& text) {
+  for (const Severity severity :
+       {Severity::Note, Severity::Warning, Severity::Error}) {
+    if (to_string(severity) == text) return severity;
+  }
+  refuse("--fail-on", text, "one of note, warning, error");
+}
+
+ColourMode parse_colour(const std::string& text) {
+  if (text == "auto") return ColourMode::Auto;
+  if (text == "always") return ColourMode::Always;
+  if (text == "never") return ColourMode::Never;
+  refuse("--color", text, "one of auto, always, never");
+}
+
+bool parse_switch(std::string_view option, const std::string& text) {
+  if (text == "on") return true;
+  if (text == "off") return false;
+  refuse(option, text, "one of on, off");
+}
+
+void check_engine(const std::string& name) {
+  if (name.empty()) return;
+  std::string known;
+  for (const EngineInfo& engine : engines()) {
+    if (engine.name == name) return;
+    known += fmt::format("{}{}", known.empty() ? "" : ", ", engine.name);
+  }
+  refuse("--engine", name, "one of " + known);
+}
+
+void check_texts(const RawOptions& raw, Options& options) {
+  for (const std::string& format : raw.formats) {
+    options.formats.push_back(parse_format(format));
+  }
+  if (!raw.scan.empty()) options.scan = parse_scan(raw.scan);
+  for (const std::string& map : raw.map) options.map.push_back(parse_map(map));
+  options.fail_on = parse_severity(raw.fail_on);
+  options.colour = parse_colour(raw.colour);
+  options.self_check = parse_switch("--self-check", raw.self_check);
+  if (raw.quiet && raw.verbose) refuse("--quiet", "-v", "together with it");
+  if (raw.quiet) options.detail = TextOptions::Detail::Quiet;
+  if (raw.verbose) options.detail = TextOptions::Detail::Verbose;
+  if (!raw.scans.empty()) {
+    const auto scans = whole_number(raw.scans);
+    if (!scans || *scans < 1) refuse("--scans", raw.scans, "a number above 0");
+    options.scans = static_cast<std::uint64_t>(*scans);
+  }
+  if (!raw.dt.empty()) {
+    options.dt_ms = whole_number(raw.dt);
+    if (!options.dt_ms || *options.dt_ms < 1 || *options.dt_ms > kMaxScanMs) {
+      refuse("--dt", raw.dt, "a whole number of milliseconds above 0");
+    }
+  }
+  for (const std::string& what : raw.inject) {
+    if (what == "wrong-invariant") {
+      options.inject_wrong_invariant = true;
+    } else if (what == "wrong-trace") {
+      options.inject_wrong_trace = true;
+    } else {
+      refuse("--inject", what, "one of wrong-invariant, wrong-trace");
+    }
+  }
+  if (!options.recheck.empty() && options.recheck != "cvc5") {
+    refuse("--recheck", options.recheck, "a checker that is known: cvc5");
+  }
+  if (!(options.timeout > 0) || options.timeout > 1e9) {
+    refuse("--timeout", fmt::format("{}", options.timeout),
+           "a number of seconds above 0");
+  }
+  check_engine(options.engine);
+}
+
+void add_common(CLI::App& app, RawOptions& raw, Options& options) {
+  app.add_option("--format", raw.formats,
+                 "FMT[:FILE], repeatable: text, json, jsonl, sarif, junit, "
+                 "github")
+      ->allow_extra_args(false);
+  app.add_option("--scan", raw.scan, "MIN..MAX: ms that a scan takes");
+  app.add_option("--semantics", options.semantics,
+                 "what the language means: yun, sim");
+  app.add_option("--dialect", options.dialect, "of scripts: yun, sim");
+  app.add_option("--language", options.language,
+                 "of the input; else recognised by its content");
+  app.add_option("--props", options.props, "property lines in a file");
+  app.add_option("--timeout", options.timeout, "seconds for one program");
+  app.add_option("--engine", options.engine, "one engine instead of all");
+  app.add_option("--jobs", options.jobs, "programs at a time")
+      ->check(CLI::Range(1U, 1024U));
+  app.add_option("--fail-on", raw.fail_on,
+                 "exit 1 for findings from here: note, warning, error");
+  app.add_option("--color", raw.colour, "auto, always, never");
+  app.add_flag("--quiet,-q", raw.quiet, "problems only");
+  app.add_flag("--verbose,-v", raw.verbose, "a line for every obligation");
+  app.add_option("--property", options.properties,
+                 "this property only; repeatable")
+      ->allow_extra_args(false);
+  app.add_option("--self-check", raw.self_check,
+                 "off: traces are not replayed, certificates not re-checked");
+  app.add_option("--recheck", options.recheck,
+                 "cvc5: re-check certificates with that program as well");
+  app.add_option("--certificates", options.certificates,
+                 "write certificates as SMT-LIB files into this directory");
+  app.add_option("--map", raw.map, "a=b: signal a of the first is b")
+      ->allow_extra_args(false);
+  app.add_option("--inject", raw.inject, "")
+      ->group("")
+      ->allow_extra_args(false);
+}
+
+CLI::App* add_command(CLI::App& app, const std::string& name,
+                      const std::string& summary) {
+  CLI::App* command = app.add_subcommand(name, summary);
+  command->fallthrough();
+  return command;
+}
+
+void add_files(CLI::App* command, Options& options, int least, int most) {
+  command->add_option("FILE", options.files, "programs; - is standard input")
+      ->required()
+      ->expected(least, most);
+}
+
+constexpr int kMany = 1 << 24;
+
+void add_commands(CLI::App& app, RawOptions& raw, Options& options) {
+  add_files(add_command(app, "check", "findings and proofs, one report"),
+            options, 1, kMany);
+  add_files(add_command(app, "lint", "findings only"), options, 1, kMany);
+  add_files(add_command(app, "prove", "properties only"), options, 1, kMany);
+  add_files(add_command(app, "equiv", "are two programs the same?"), options,
+            2, 2);
+  CLI::App* lower =
+      add_command(app, "lower", "write a program in another language");
+  add_files(lower, options, 1, 1);
+  lower->add_option("--to", options.to, "the language: postfix")->required();
+  lower->add_option("-o,--output", options.output, "the file to write");
+  lower->add_flag("--binary", options.binary,
+                  "postfix: the bytes that a controller executes");
+  CLI::App* run = add_command(app, "run", "simulate");
+  add_files(run, options, 1, 1);
+  run->add_option("--stimulus", options.stimulus, "inputs, scan by scan (CSV)");
+  run->add_option("--scans", raw.scans, "how many scans");
+  run->add_option("--dt", raw.dt, "ms that a scan takes");
+  run->add_option("--out", options.output, "a VCD file for wave viewers");
+  CLI::App* render = add_command(app, "render", "draw the ladder");
+  add_files(render, options, 1, 1);
+  render->add_flag("--ascii", options.ascii, "no box-drawing characters");
+  CLI::App* rule = add_command(app, "rule", "what a lint rule finds, and why");
+  rule->add_option("CODE", options.rule, "a code or a name; else a list");
+}
+
+std::string version_text() {
+  std::string out = fmt::format("rungproof {}", kVersion);
+  for (const auto& [name, version] : solver_versions()) {
+    out += fmt::format("\n{} {}", name, version);
+  }
+  return out;
+}
+
+}  // namespace
+
+int usage_error(const std::string& message) {
+  fmt::print(stderr, "rungproof: error: {}\n", message);
+  return kExitUsage;
+}
+
+std::variant<Options, int> parse_options(int argc, char** argv) {
+  Options options;
+  RawOptions raw;
+  CLI::App app("Proves and checks rung programs.", "rungproof");
+  try {
+    app.require_subcommand(1);
+    app.set_version_flag("--version", version_text);
+    add_common(app, raw, options);
+    add_commands(app, raw, options);
+    app.parse(argc, argv);
+    options.command = app.get_subcommands().front()->get_name();
+    check_texts(raw, options);
+    return options;
+  } catch (const CLI::Success& done) {
+    return app.exit(done);
+  } catch (const CLI::Error& error) {
+    return usage_error(std::string(error.what()) +
+                       "\nRun with --help for more information.");
+  }
+}
+
+}  // namespace rung

@@ -1,0 +1,69 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "analysis/program.h"
+#include "base/diagnostic.h"
+#include "reports/text.h"
+
+namespace rung {
+
+/// `--format FMT[:FILE]`; an empty path is standard output.
+struct FormatRequest {
+  std::string format;
+  std::string path;
+};
+
+enum class ColourMode : std::uint8_t { Auto, Always, Never };
+
+/// The command line, checked and typed.
+struct Options {
+  std::string command;
+  std::vector<std::string> files;
+  std::vector<FormatRequest> formats;
+  std::optional<ScanInterval> scan;
+  std::string semantics;
+  std::string dialect;
+  std::string language;
+  std::string props;
+  std::vector<std::string> properties;  // --property; empty: all
+  double timeout = 60;
+  std::string engine;
+  unsigned jobs = 1;
+  Severity fail_on = Severity::Warning;
+  ColourMode colour = ColourMode::Auto;
+  TextOptions::Detail detail = TextOptions::Detail::Normal;
+  bool self_check = true;
+  std::string recheck;
+  std::string certificates;
+  std::vector<std::pair<std::string, std::string>> map;
+  bool inject_wrong_invariant = false;
+  bool inject_wrong_trace = false;
+  // lower, run, render, rule
+  std::string to;
+  bool binary = false;
+  std::string output;
+  std::string stimulus;
+  std::optional<std::uint64_t> scans;
+  std::optional<std::int64_t> dt_ms;
+  bool ascii = false;
+  std::string rule;
+};
+
+/// Exit codes of the program; interfaces.md has what they mean.
+inline constexpr int kExitUsage = 2;
+inline constexpr int kExitInternal = 4;
+
+/// The options, or the exit code after help, a version or an error was
+/// printed.
+std::variant<Options, int> parse_options(int argc, char** argv);
+
+/// Prints `rungproof: error: MESSAGE` and returns kExitUsage.
+int usage_error(const std::string& message);
+
+}  // namespace rung

@@ -1,0 +1,81 @@
+#include "app/session.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "app/output.h"
+
+namespace rung {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A directory for certificates: made when it is not there.
+std::optional<std::string> make_directory(const std::string& path) {
+  if (path.empty()) return std::nullopt;
+  std::error_code error;
+  fs::create_directories(path, error);
+  if (!error && fs::is_directory(path, error)) return std::nullopt;
+  return fmt::format("--certificates: cannot make the directory {}: {}", path,
+                     error ? error.message() : "it is a file");
+}
+
+}  // namespace
+
+Session::Session(const Options& options)
+    : options_(options),
+      progress_(options.detail != TextOptions::Detail::Quiet) {
+  error_ = check_formats(options);
+  if (!error_) error_ = make_directory(options.certificates);
+  if (error_) return;
+  if (std::count(options.files.begin(), options.files.end(), "-") > 1) {
+    error_ = "standard input can be read only once";
+    return;
+  }
+  if (!options.props.empty()) {
+    const Input props = read_input(options.props, sources_);
+    if (props.error) {
+      error_ = fmt::format("--props {}: {}", options.props,
+                           props.error->message);
+      return;
+    }
+    extra_ = property_lines(sources_, props.file);
+  }
+  inputs_ = read_inputs(options.files, sources_);
+}
+
+Loaded Session::load(const Input& input) const {
+  return rung::load(input, options_, extra_, sources_);
+}
+
+VerifyOptions Session::verify_options(std::size_t index) {
+  VerifyOptions verify;
+  verify.budget.seconds = options_.timeout;
+  verify.engine = options_.engine;
+  verify.self_check = options_.self_check;
+  verify.recheck = options_.recheck;
+  verify.smtlib_directory = options_.certificates;
+  if (!options_.certificates.empty() && inputs_.size() > 1) {
+    const std::string name =
+        fmt::format("{}-{}", index + 1,
+                    fs::path(inputs_[index].path).stem().string());
+    const fs::path directory = fs::path(options_.certificates) / name;
+    std::error_code ignored;  // then writing into it fails, and says so
+    fs::create_directories(directory, ignored);
+    verify.smtlib_directory = directory.string();
+  }
+  verify.inject_wrong_invariant = options_.inject_wrong_invariant;
+  verify.inject_wrong_trace = options_.inject_wrong_trace;
+  verify.progress = progress_.of(inputs_[index].path);
+  return verify;
+}
+
+std::string working_directory() {
+  std::error_code error;
+  const fs::path path = fs::current_path(error);
+  return error ? std::string() : path.string();
+}
+
+}  // namespace rung

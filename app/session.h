@@ -1,0 +1,44 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "app/load.h"
+#include "app/options.h"
+#include "app/progress.h"
+#include "reports/report.h"
+#include "smt/verify.h"
+
+namespace rung {
+
+/// What all commands that read programs have in common: the inputs, the
+/// property file, and the options of the proofs.
+class Session {
+ public:
+  explicit Session(const Options& options);
+
+  /// Why the command line cannot be followed; nothing when it can.
+  const std::optional<std::string>& error() const { return error_; }
+
+  const std::vector<Input>& inputs() const { return inputs_; }
+  SourceSet& sources() { return sources_; }
+  const Options& options() const { return options_; }
+
+  Loaded load(const Input& input) const;
+  /// For the input at `index`. With several inputs each has a directory of
+  /// its own for certificates: properties of two programs may share a name.
+  VerifyOptions verify_options(std::size_t index);
+
+ private:
+  const Options& options_;
+  SourceSet sources_;
+  std::vector<Input> inputs_;
+  std::vector<AstAnnotation> extra_;
+  std::optional<std::string> error_;
+  Progress progress_;
+};
+
+/// Where relative paths start; empty when that cannot be found out.
+std::string working_directory();
+
+}  // namespace rung

@@ -1,0 +1,156 @@
+#include "frontend/recognise.h"
+
+#include <array>
+#include <cstddef>
+
+namespace rung {
+namespace {
+
+constexpr std::string_view kBlanks = " \t\r\n\f";
+constexpr std::string_view kPostfixMagic = "\x9eRPF";
+
+std::string_view trimmed(std::string_view text) {
+  const std::size_t begin = text.find_first_not_of(kBlanks);
+  if (begin == std::string_view::npos) return {};
+  return text.substr(begin, text.find_last_not_of(kBlanks) + 1 - begin);
+}
+
+/// Calls `visit(line)` for each line, until it returns true.
+template <class Visit>
+bool any_line(std::string_view text, Visit visit) {
+  for (std::size_t at = 0; at < text.size();) {
+    std::size_t end = text.find('\n', at);
+    if (end == std::string_view::npos) end = text.size();
+    if (visit(trimmed(text.substr(at, end - at)))) return true;
+    at = end + 1;
+  }
+  return false;
+}
+
+/// The first line that is neither empty nor a comment.
+std::string_view first_line(std::string_view text) {
+  if (text.starts_with("\xef\xbb\xbf")) text.remove_prefix(3);
+  std::string_view found;
+  any_line(text, [&](std::string_view line) {
+    if (line.empty() || line.starts_with("//")) return false;
+    found = line;
+    return true;
+  });
+  return found;
+}
+
+/// `line` begins with `word` as a statement: `TYPE = I0;` of a script does not.
+bool starts_word(std::string_view line, std::string_view word) {
+  if (!line.starts_with(word)) return false;
+  const std::string_view rest = line.substr(word.size());
+  if (rest.empty()) return true;
+  return kBlanks.find(rest.front()) != std::string_view::npos &&
+         !trimmed(rest).starts_with("=");
+}
+
+bool is_postfix(std::string_view text) {
+  return text.starts_with(kPostfixMagic) ||
+         starts_word(first_line(text), "postfix");
+}
+
+bool is_plcopen(std::string_view text) {
+  const std::string_view line = first_line(text);
+  return line.starts_with("<?xml") || line.starts_with("<project") ||
+         line.starts_with("<!--");
+}
+
+bool is_ldmicro(std::string_view text) {
+  return first_line(text).starts_with("LDmicro0.");
+}
+
+bool is_plclib(std::string_view text) {
+  return any_line(text, [](std::string_view line) {
+    return line.starts_with("#include") &&
+           line.find("plcLib") != std::string_view::npos;
+  });
+}
+
+bool is_structured_text(std::string_view text) {
+  const std::string_view line = first_line(text);
+  for (const std::string_view word :
+       {"PROGRAM", "FUNCTION_BLOCK", "FUNCTION", "VAR", "VAR_INPUT",
+        "CONFIGURATION", "TYPE"}) {
+    if (starts_word(line, word)) return true;
+  }
+  return false;
+}
+
+/// `LD X0`, `LDI M1`: a device and nothing else behind the instruction.
+bool is_mitsubishi(std::string_view text) {
+  const std::string_view line = first_line(text);
+  for (const std::string_view word : {"LD", "LDI", "LDP", "LDF"}) {
+    if (!starts_word(line, word)) continue;
+    const std::string_view operand = trimmed(line.substr(word.size()));
+    return operand.size() >= 2 &&
+           std::string_view("XYMSTC").find(operand[0]) !=
+               std::string_view::npos &&
+           operand.find_first_not_of("0123456789", 1) ==
+               std::string_view::npos;
+  }
+  return false;
+}
+
+bool is_iec_list(std::string_view text) {
+  const std::string_view line = first_line(text);
+  return starts_word(line, "LD") || starts_word(line, "LDN");
+}
+
+/// Ladders that are drawn with characters.
+bool is_ascii_ladder(std::string_view text) {
+  const std::string_view line = first_line(text);
+  return line.starts_with("|-") || line.starts_with("||") ||
+         line.starts_with("--|") || line.starts_with("+-");
+}
+
+bool is_script(std::string_view) { return true; }
+
+constexpr std::array kLanguages = {
+    Language{"postfix", false, is_postfix},
+    Language{"ldmicro", false, is_ldmicro},
+    Language{"plcopen", false, is_plcopen},
+    Language{"plclib", false, is_plclib},
+    Language{"st", false, is_structured_text},
+    Language{"il-mitsubishi", false, is_mitsubishi},
+    Language{"il-iec", false, is_iec_list},
+    Language{"ascii", false, is_ascii_ladder},
+    Language{"script", true, is_script},
+};
+
+}  // namespace
+
+std::span<const Language> languages() { return kLanguages; }
+
+const Language* find_language(std::string_view name) {
+  for (const Language& language : kLanguages) {
+    if (language.name == name) return &language;
+  }
+  return nullptr;
+}
+
+std::string_view declared_language(std::string_view text) {
+  std::string_view found;
+  any_line(text, [&](std::string_view line) {
+    if (!line.starts_with("//@") && !line.starts_with("(*@")) return false;
+    line = trimmed(line.substr(3));
+    if (!starts_word(line, "language")) return false;
+    line = trimmed(line.substr(8));
+    if (line.ends_with("*)")) line = trimmed(line.substr(0, line.size() - 2));
+    found = line;
+    return true;
+  });
+  return found;
+}
+
+const Language& recognise(std::string_view text) {
+  for (const Language& language : kLanguages) {
+    if (language.looks_so(text)) return language;
+  }
+  return kLanguages.back();
+}
+
+}  // namespace rung
