@@ -53,8 +53,7 @@ void lint(const SourceSet& sources, const Program& program,
 
 void prove(const Program& program, FileReport& report, const Options& options,
            const VerifyOptions& verify_options) {
-  report.properties =
-      select(std::move(report.properties), options.properties);
+  report.properties = select(std::move(report.properties), options.properties);
   VerifyReport answer = verify(program, report.properties, verify_options);
   std::erase_if(answer.results, [&](const ObligationResult& result) {
     return !is_selected(result.obligation.name, options.properties);

@@ -11,10 +11,9 @@ namespace {
 std::string table() {
   std::string out;
   for (const Rule* rule : all_rules()) {
-    out += fmt::format("{:<6} {:<8} {:<7} {}\n", rule->code,
-                       to_string(rule->severity),
-                       rule->decision == Decision::Solver ? "solver" : "syntax",
-                       rule->name);
+    out += fmt::format(
+        "{:<6} {:<8} {:<7} {}\n", rule->code, to_string(rule->severity),
+        rule->decision == Decision::Solver ? "solver" : "syntax", rule->name);
   }
   return out;
 }
@@ -22,11 +21,11 @@ std::string table() {
 std::string page(const Rule& rule) {
   std::string_view doc = rule.doc;
   while (doc.starts_with('\n')) doc.remove_prefix(1);
-  return fmt::format("# {}: {}\n\n{}, decided {}\n\n{}", rule.code, rule.name,
-                     to_string(rule.severity),
-                     rule.decision == Decision::Solver ? "by the solver"
-                                                       : "on the syntax",
-                     doc);
+  return fmt::format(
+      "# {}: {}\n\n{}, decided {}\n\n{}", rule.code, rule.name,
+      to_string(rule.severity),
+      rule.decision == Decision::Solver ? "by the solver" : "on the syntax",
+      doc);
 }
 
 std::string unknown_rule(const std::string& wanted) {

@@ -57,16 +57,15 @@ Bytes read_bytes(const std::string& path) {
   if (fs::is_directory(path, ignored)) {
     return {"", "RP070", "cannot read: it is a directory"};
   }
-  const std::unique_ptr<std::FILE, Closer> file(
-      std::fopen(path.c_str(), "rb"));
+  const std::unique_ptr<std::FILE, Closer> file(std::fopen(path.c_str(), "rb"));
   if (!file) {
     return {"", "RP070", fmt::format("cannot read: {}", std::strerror(errno))};
   }
   return read_stream(file.get());
 }
 
-Input failed(const std::string& path, SourceSet& sources,
-             std::string_view code, std::string message) {
+Input failed(const std::string& path, SourceSet& sources, std::string_view code,
+             std::string message) {
   const FileId file = sources.add(path, "");
   return {file, path, file_error(file, code, std::move(message))};
 }
@@ -101,9 +100,9 @@ void read_directory(const std::string& path, SourceSet& sources,
     inputs.push_back(read_input(script, sources));
   }
   if (error) {
-    inputs.push_back(failed(path, sources, "RP070",
-                            fmt::format("cannot read the whole directory: {}",
-                                        error.message())));
+    inputs.push_back(failed(
+        path, sources, "RP070",
+        fmt::format("cannot read the whole directory: {}", error.message())));
   } else if (scripts.empty()) {
     inputs.push_back(failed(path, sources, "RP072",
                             "no program in this directory: no file ends in "

@@ -26,10 +26,10 @@ const Language* choose_language(const Input& input, const Options& options,
     for (const Language& one : languages()) {
       known += fmt::format("{}`{}`", known.empty() ? "" : ", ", one.name);
     }
-    sink.report(file_error(
-        input.file, "RP073",
-        fmt::format("there is no language `{}`: the names are {}", named,
-                    known)));
+    sink.report(
+        file_error(input.file, "RP073",
+                   fmt::format("there is no language `{}`: the names are {}",
+                               named, known)));
     return nullptr;
   }
   if (!language->supported) {
@@ -93,9 +93,8 @@ std::vector<std::string> notes_of(const Program& program) {
   return notes;
 }
 
-Ast read(const Input& input, const Language& language,
-         std::string_view dialect, const SourceSet& sources,
-         DiagnosticSink& sink) {
+Ast read(const Input& input, const Language& language, std::string_view dialect,
+         const SourceSet& sources, DiagnosticSink& sink) {
   static_cast<void>(language);  // one reader so far
   return read_script(sources, input.file, dialect, sink);
 }
@@ -160,8 +159,7 @@ Loaded load(const Input& input, const Options& options,
     return loaded;
   }
   DiagnosticList found;
-  loaded.program =
-      build(input, options, extra, sources, loaded.report, found);
+  loaded.program = build(input, options, extra, sources, loaded.report, found);
   loaded.report.findings = found.take();
   sort_diagnostics(loaded.report.findings);
   if (loaded.program) {

@@ -73,8 +73,7 @@ FormatRequest parse_format(const std::string& text) {
 
 std::pair<std::string, std::string> parse_map(const std::string& text) {
   const std::size_t equals = text.find('=');
-  if (equals == std::string::npos || equals == 0 ||
-      equals + 1 == text.size()) {
+  if (equals == std::string::npos || equals == 0 || equals + 1 == text.size()) {
     refuse("--map", text, "of the form a=b");
   }
   return {text.substr(0, equals), text.substr(equals + 1)};
@@ -210,8 +209,8 @@ void add_commands(CLI::App& app, RawOptions& raw, Options& options) {
             options, 1, kMany);
   add_files(add_command(app, "lint", "findings only"), options, 1, kMany);
   add_files(add_command(app, "prove", "properties only"), options, 1, kMany);
-  add_files(add_command(app, "equiv", "are two programs the same?"), options,
-            2, 2);
+  add_files(add_command(app, "equiv", "are two programs the same?"), options, 2,
+            2);
   CLI::App* lower =
       add_command(app, "lower", "write a program in another language");
   add_files(lower, options, 1, 1);

@@ -37,8 +37,8 @@ Session::Session(const Options& options)
   if (!options.props.empty()) {
     const Input props = read_input(options.props, sources_);
     if (props.error) {
-      error_ = fmt::format("--props {}: {}", options.props,
-                           props.error->message);
+      error_ =
+          fmt::format("--props {}: {}", options.props, props.error->message);
       return;
     }
     extra_ = property_lines(sources_, props.file);
@@ -58,9 +58,8 @@ VerifyOptions Session::verify_options(std::size_t index) {
   verify.recheck = options_.recheck;
   verify.smtlib_directory = options_.certificates;
   if (!options_.certificates.empty() && inputs_.size() > 1) {
-    const std::string name =
-        fmt::format("{}-{}", index + 1,
-                    fs::path(inputs_[index].path).stem().string());
+    const std::string name = fmt::format(
+        "{}-{}", index + 1, fs::path(inputs_[index].path).stem().string());
     const fs::path directory = fs::path(options_.certificates) / name;
     std::error_code ignored;  // then writing into it fails, and says so
     fs::create_directories(directory, ignored);

@@ -89,8 +89,7 @@ bool is_mitsubishi(std::string_view text) {
     return operand.size() >= 2 &&
            std::string_view("XYMSTC").find(operand[0]) !=
                std::string_view::npos &&
-           operand.find_first_not_of("0123456789", 1) ==
-               std::string_view::npos;
+           operand.find_first_not_of("0123456789", 1) == std::string_view::npos;
   }
   return false;
 }

@@ -192,9 +192,8 @@ std::string write_text(const EquivalenceReport& report,
     out += fmt::format("  = at the end of scan {}: {}\n\n",
                        joined.trace->steps.back().scan,
                        difference(report, joined));
-    out += draw_scan_table({*joined.program, *joined.trace,
-                            columns(report, joined), "  "},
-                           paint);
+    out += draw_scan_table(
+        {*joined.program, *joined.trace, columns(report, joined), "  "}, paint);
     out += '\n';
   }
   if (quiet) return out;
@@ -228,8 +227,8 @@ Report as_report(const EquivalenceReport& report) {
   result.obligation.name = "equivalent";
   result.obligation.kind = "equivalence";
   result.obligation.text =
-      fmt::format("{} and {} are the same on {}", report.a.path,
-                  report.b.path, counted(report.outputs.size(), "output"));
+      fmt::format("{} and {} are the same on {}", report.a.path, report.b.path,
+                  counted(report.outputs.size(), "output"));
   result.obligation.where = {report.a.file, 0, 0};
   result.verdict = report.verdict == "equivalent"  ? Verdict::Proved
                    : report.verdict == "different" ? Verdict::Violated

@@ -64,8 +64,8 @@ std::string broken_clause(const Property& property,
         const bool set_wins = property.dominant_set && part.name == "sets";
         if (part.name != part_of(obligation.name)) continue;
         if (set_wins) {
-          return fmt::format("`{}` is true, yet `{}` is false at the scan's end",
-                             f[1], f[0]);
+          return fmt::format(
+              "`{}` is true, yet `{}` is false at the scan's end", f[1], f[0]);
         }
         return fmt::format(fmt::runtime(part.broken), f[0], f[1], f[2]);
       }
@@ -107,11 +107,10 @@ std::string explain_violation(const FileReport& file,
     }
     return clause;
   }
-  std::string out = fmt::format("at the end of scan {}",
-                                result.trace->steps.back().scan);
-  const std::string values =
-      values_at_end(file, *result.trace,
-                    cones.named(formulas_of(file, obligation)));
+  std::string out =
+      fmt::format("at the end of scan {}", result.trace->steps.back().scan);
+  const std::string values = values_at_end(
+      file, *result.trace, cones.named(formulas_of(file, obligation)));
   if (!clause.empty()) out += ", " + clause;
   if (!values.empty()) out += ": " + values;
   return out;

@@ -142,7 +142,9 @@ class Drawing {
   std::string take() { return std::move(out_); }
 
  private:
-  void bar() { out_ += std::string(gutter_ + 1, ' ') + paint_(Ink::Frame, "|"); }
+  void bar() {
+    out_ += std::string(gutter_ + 1, ' ') + paint_(Ink::Frame, "|");
+  }
 
   void source_line(std::uint32_t number, const std::string& text) {
     if (line_ != 0 && number > line_ + 1) {

@@ -79,9 +79,9 @@ class GithubWriter {
       const auto shown =
           relevant_signals(*file.program, *result.trace, cones->of(formulas),
                            cones->named(formulas));
-      message += "\n" + draw_scan_table(
-                            {*file.program, *result.trace, shown, ""},
-                            Painter(false));
+      message +=
+          "\n" + draw_scan_table({*file.program, *result.trace, shown, ""},
+                                 Painter(false));
     }
     annotate(result.verdict == Verdict::Violated ? "error" : "warning", file,
              obligation.where,
@@ -101,8 +101,7 @@ class GithubWriter {
     const Place at = where.has_value() ? locator_.of(where) : Place{};
     out_ += fmt::format(
         "::{} file={},line={},endLine={},col={},endColumn={},title={}::{}\n",
-        command,
-        escaped(relative_path(path, report_.working_directory), true),
+        command, escaped(relative_path(path, report_.working_directory), true),
         at.begin.line, at.end.line, at.begin.column, at.end.column,
         escaped(title, true), escaped(message, false));
   }

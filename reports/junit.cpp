@@ -129,7 +129,7 @@ class SuiteBuilder {
     Case one = start("", input ? "input" : "lint", finding.where);
     one.name = fmt::format("{} {} line {}", finding.code, rule_name(finding),
                            one.line);
-    one.element = input                                  ? "error"
+    one.element = input                                 ? "error"
                   : finding.severity >= report_.fail_on ? "failure"
                                                         : "system-out";
     one.type = std::string(to_string(finding.severity));
@@ -146,16 +146,16 @@ class SuiteBuilder {
     if (result.verdict != Verdict::Proved) {
       one.element = "failure";
       one.type = std::string(to_string(result.verdict));
-      one.message = result.obligation.text + ": " +
-                    (cones ? explain(file_, result, *cones)
-                           : verdict_phrase(result));
+      one.message =
+          result.obligation.text + ": " +
+          (cones ? explain(file_, result, *cones) : verdict_phrase(result));
       if (cones && result.trace) {
         const auto& formulas = formulas_of(file_, result.obligation);
-        const auto shown = relevant_signals(
-            *file_.program, *result.trace, cones->of(formulas),
-            cones->named(formulas));
-        one.body = draw_scan_table(
-            {*file_.program, *result.trace, shown, ""}, Painter(false));
+        const auto shown =
+            relevant_signals(*file_.program, *result.trace, cones->of(formulas),
+                             cones->named(formulas));
+        one.body = draw_scan_table({*file_.program, *result.trace, shown, ""},
+                                   Painter(false));
       }
     }
     suite_.cases.push_back(std::move(one));
@@ -188,9 +188,10 @@ void write_case(const Case& one, std::string& out) {
   if (one.element.empty()) {
     out += "/>\n";
   } else if (one.element == "system-out") {
-    out += fmt::format(">\n      <system-out>{}: {}</system-out>\n"
-                       "    </testcase>\n",
-                       one.type, xml(one.message));
+    out += fmt::format(
+        ">\n      <system-out>{}: {}</system-out>\n"
+        "    </testcase>\n",
+        one.type, xml(one.message));
   } else {
     out += fmt::format(
         ">\n      <{0} type=\"{1}\" message=\"{2}\">{3}</{0}>\n"

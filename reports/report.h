@@ -21,9 +21,9 @@ namespace rung {
 struct FileReport {
   FileId file;  // in Report::sources; has a value also when it was unreadable
   std::string path;
-  std::string_view language;   // empty: not recognised
-  std::string_view dialect;    // empty: the language has none
-  std::string_view semantics;  // the preset it was read with
+  std::string_view language;               // empty: not recognised
+  std::string_view dialect;                // empty: the language has none
+  std::string_view semantics;              // the preset it was read with
   std::shared_ptr<const Program> program;  // null: input errors
   PropertySet properties;
   std::vector<std::string> notes;  // what is not part of the answer, and why

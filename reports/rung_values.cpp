@@ -49,10 +49,8 @@ void run(const Program& program, const Trace& trace, Simulator& simulator) {
 std::vector<Note> notes_of(const Program& program, const Rung& rung,
                            const Simulator& simulator, const Trace& trace) {
   std::vector<Note> notes = {
-      {rung.target_where.begin,
-       rung.target_where.end - rung.target_where.begin,
-       fmt::format("{}",
-                   trace.steps.back().values[rung.target.index()])}};
+      {rung.target_where.begin, rung.target_where.end - rung.target_where.begin,
+       fmt::format("{}", trace.steps.back().values[rung.target.index()])}};
   for (std::uint32_t i = rung.begin; i < rung.end; ++i) {
     const Node& node = program.nodes[i];
     const bool is_operand = node.op == NodeOp::Read || node.op == NodeOp::Call;
@@ -65,9 +63,8 @@ std::vector<Note> notes_of(const Program& program, const Rung& rung,
                          ? fmt::format("{}", simulator.node_value(i))
                          : "-"});
   }
-  std::sort(notes.begin(), notes.end(), [](const Note& a, const Note& b) {
-    return a.offset < b.offset;
-  });
+  std::sort(notes.begin(), notes.end(),
+            [](const Note& a, const Note& b) { return a.offset < b.offset; });
   return notes;
 }
 
@@ -123,8 +120,7 @@ std::string draw_rung_values(const RungValues& values, const Painter& paint,
     const SourceFile& source = values.sources[rung.where.file];
     const Place place = locator.of(rung.where);
     if (place.end.line - place.begin.line >= kMaxLines) continue;
-    const std::size_t gutter =
-        fmt::formatted_size("{}", source.line_count());
+    const std::size_t gutter = fmt::formatted_size("{}", source.line_count());
     for (std::uint32_t n = place.begin.line; n <= place.end.line; ++n) {
       const std::string_view line = source.line(n);
       const auto begin =

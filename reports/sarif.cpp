@@ -62,9 +62,9 @@ class SarifWriter {
   }
 
   void add_finding(const FileReport& file, const Diagnostic& finding) {
-    Json result = start(finding.code, rules_.index_of(finding),
-                        level_of(finding.severity), finding.message, file,
-                        finding.where);
+    Json result =
+        start(finding.code, rules_.index_of(finding),
+              level_of(finding.severity), finding.message, file, finding.where);
     Json related = Json::array();
     for (const Label& label : finding.labels) {
       Json location = place(file, label.where);
@@ -147,9 +147,9 @@ class SarifWriter {
       locations.push_back(flow_step(file, result, i, signals, cones));
     }
     flow_steps_ += locations.size();
-    return {{"message", message("the scans that lead there")},
-            {"threadFlows",
-             Json::array({{{"locations", std::move(locations)}}})}};
+    return {
+        {"message", message("the scans that lead there")},
+        {"threadFlows", Json::array({{{"locations", std::move(locations)}}})}};
   }
 
   Json flow_step(const FileReport& file, const ObligationResult& result,
@@ -232,10 +232,9 @@ class SarifWriter {
 
 std::string write_sarif(const Report& report) {
   SarifWriter writer(report);
-  return dump(
-      {{"$schema", "https://json.schemastore.org/sarif-2.1.0.json"},
-       {"version", "2.1.0"},
-       {"runs", Json::array({writer.run()})}});
+  return dump({{"$schema", "https://json.schemastore.org/sarif-2.1.0.json"},
+               {"version", "2.1.0"},
+               {"runs", Json::array({writer.run()})}});
 }
 
 }  // namespace rung

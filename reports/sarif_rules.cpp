@@ -90,14 +90,14 @@ std::size_t SarifRules::index_of(const Diagnostic& finding) {
     }
   }
   const bool input = is_input_error(finding);
-  return add(std::string(finding.code),
-             plain_rule(finding.code,
-                        input ? "an input that cannot be read"
-                              : rule_name(finding),
-                        input ? "Nothing is said about a program with such an "
-                                "error: what cannot be read is never skipped."
-                              : rule_name(finding),
-                        to_string(finding.severity), input ? "input" : "lint"));
+  return add(
+      std::string(finding.code),
+      plain_rule(finding.code,
+                 input ? "an input that cannot be read" : rule_name(finding),
+                 input ? "Nothing is said about a program with such an "
+                         "error: what cannot be read is never skipped."
+                       : rule_name(finding),
+                 to_string(finding.severity), input ? "input" : "lint"));
 }
 
 std::size_t SarifRules::index_of(Verdict verdict) {

@@ -23,8 +23,7 @@ std::vector<Line> lines_of(const Trace& trace) {
   std::vector<Line> lines = {{"scan", "time", ""}, {"start", "", ""}};
   std::int64_t now = 0;
   for (const Trace::Step& step : trace.steps) {
-    const auto lasted =
-        static_cast<std::int64_t>(step.repeat) * step.dt_ms;
+    const auto lasted = static_cast<std::int64_t>(step.repeat) * step.dt_ms;
     now += lasted;
     Line line = {fmt::format("{}", step.scan), duration(now), ""};
     if (step.repeat > 1) {
@@ -43,8 +42,7 @@ std::vector<std::string> column_of(const Program& program, const Trace& trace,
   const Cell& cell = program.cells[id];
   const bool is_input = cell.role == CellRole::Input;
   std::vector<std::string> column = {
-      printable(cell.name),
-      is_input ? "-" : fmt::format("{}", cell.initial)};
+      printable(cell.name), is_input ? "-" : fmt::format("{}", cell.initial)};
   std::int64_t before = cell.initial;
   for (const Trace::Step& step : trace.steps) {
     const std::int64_t value = step.values[id.index()];
@@ -120,8 +118,7 @@ std::string draw_scan_table(const ScanTable& table, const Painter& paint) {
   const std::vector<Line> lines = lines_of(table.trace);
   std::vector<Column> columns;
   for (const CellId id : table.signals) {
-    std::vector<std::string> cells =
-        column_of(table.program, table.trace, id);
+    std::vector<std::string> cells = column_of(table.program, table.trace, id);
     const std::size_t width = width_of(cells);
     columns.push_back({std::move(cells), width});
   }
@@ -140,14 +137,13 @@ std::string draw_scan_table(const ScanTable& table, const Painter& paint) {
   return out;
 }
 
-std::vector<CellId> relevant_signals(const Program& program,
-                                     const Trace& trace,
+std::vector<CellId> relevant_signals(const Program& program, const Trace& trace,
                                      const std::vector<CellId>& cone,
                                      const std::vector<CellId>& named) {
   std::vector<CellId> shown;
   for (const CellId id : cone) {
-    const bool is_named = std::find(named.begin(), named.end(), id) !=
-                          named.end();
+    const bool is_named =
+        std::find(named.begin(), named.end(), id) != named.end();
     const bool moves = program.cells[id].initial != 0 ||
                        std::any_of(trace.steps.begin(), trace.steps.end(),
                                    [id](const Trace::Step& step) {

@@ -32,8 +32,7 @@ std::string draw_scan_table(const ScanTable& table, const Painter& paint);
 
 /// Those of `cone` that are worth a column: all when they are few, else
 /// `named` and those that are not 0 somewhere in the trace.
-std::vector<CellId> relevant_signals(const Program& program,
-                                     const Trace& trace,
+std::vector<CellId> relevant_signals(const Program& program, const Trace& trace,
                                      const std::vector<CellId>& cone,
                                      const std::vector<CellId>& named);
 

@@ -40,19 +40,19 @@ std::string finding_counts(const Summary& summary) {
 std::string summary_line(const Report& report, const Painter& paint) {
   const Summary summary = summarise(report);
   std::string out = "checked " + counted(summary.files, "file") + ", " +
-          counted(summary.rungs, "rung");
+                    counted(summary.rungs, "rung");
   if (report.proved) {
     if (summary.obligations == 0) {
       out += ", no obligations";
     } else if (summary.obligations == summary.proved) {
       out += ": " + paint(Ink::Good, summary.proved == 1
-                                           ? "the obligation is proved"
-                                           : fmt::format("all {} obligations "
-                                                         "proved",
-                                                         summary.proved));
+                                         ? "the obligation is proved"
+                                         : fmt::format("all {} obligations "
+                                                       "proved",
+                                                       summary.proved));
     } else {
       out += ", " + counted(summary.obligations, "obligation") + ": " +
-              verdict_counts(summary);
+             verdict_counts(summary);
     }
   }
   if (report.linted || summary.input_errors > 0) {

@@ -29,8 +29,8 @@ std::string diagnostic_text(const SourceSet& sources,
                             const Diagnostic& diagnostic, const Painter& paint,
                             Locator& locator) {
   const Ink ink = ink_of(diagnostic.severity);
-  std::string head = fmt::format("{}[{}]", to_string(diagnostic.severity),
-                                 diagnostic.code);
+  std::string head =
+      fmt::format("{}[{}]", to_string(diagnostic.severity), diagnostic.code);
   std::string out = paint(ink, head) + ": " +
                     paint(Ink::Strong, printable(diagnostic.message)) + "\n";
   if (diagnostic.where.has_value()) {
@@ -42,8 +42,8 @@ std::string diagnostic_text(const SourceSet& sources,
   };
   if (!diagnostic.help.empty()) remark("help", diagnostic.help);
   if (!diagnostic.rule.empty()) {
-    out += "  " + paint(Ink::Frame, "=") + " rule: " +
-           std::string(diagnostic.rule) + "\n";
+    out += "  " + paint(Ink::Frame, "=") +
+           " rule: " + std::string(diagnostic.rule) + "\n";
   }
   return out;
 }
@@ -92,8 +92,8 @@ class TextWriter {
               paint_(Ink::Warning, to_string(result.verdict)) + ": " +
               title(result) + " (" + printable(undecided(result)) + ")\n";
     } else if (detail_ == Detail::Verbose) {
-      out_ += place_of(result.obligation.where) +
-              paint_(Ink::Good, "proved") + ": " + title(result);
+      out_ += place_of(result.obligation.where) + paint_(Ink::Good, "proved") +
+              ": " + title(result);
     }
     if (detail_ == Detail::Verbose) write_evidence(result);
   }
@@ -123,8 +123,9 @@ class TextWriter {
     out_ += paint_(Ink::Error, "violated") + ": " +
             paint_(Ink::Strong, title(result)) + "\n";
     if (result.obligation.where.has_value()) {
-      out_ += draw_frame(*report_.sources, {{result.obligation.where, {}, true}},
-                         Ink::Error, paint_, locator_);
+      out_ +=
+          draw_frame(*report_.sources, {{result.obligation.where, {}, true}},
+                     Ink::Error, paint_, locator_);
     }
     const bool readable = file.program && cones_;
     out_ += "  " + paint_(Ink::Frame, "=") + " " +
@@ -140,12 +141,12 @@ class TextWriter {
     const std::vector<CellId> named = cones_->named(formulas);
     const std::vector<CellId> shown = relevant_signals(
         *file.program, *result.trace, cones_->of(formulas), named);
-    out_ += draw_scan_table({*file.program, *result.trace, shown, "  "},
-                            paint_);
-    const std::string rungs = draw_rung_values(
-        {*report_.sources, *file.program, *result.trace,
-         cones_->drivers(named)},
-        paint_, locator_);
+    out_ +=
+        draw_scan_table({*file.program, *result.trace, shown, "  "}, paint_);
+    const std::string rungs =
+        draw_rung_values({*report_.sources, *file.program, *result.trace,
+                          cones_->drivers(named)},
+                         paint_, locator_);
     if (!rungs.empty()) out_ += "\n" + rungs;
     out_ += '\n';
   }
@@ -162,8 +163,8 @@ class TextWriter {
         out_ += "\n    invariant: " + printable(lemma);
       }
       if (!result.certificate->smtlib_path.empty()) {
-        out_ += "\n    certificate: " +
-                printable(result.certificate->smtlib_path);
+        out_ +=
+            "\n    certificate: " + printable(result.certificate->smtlib_path);
       }
     }
     out_ += '\n';
