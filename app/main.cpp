@@ -16,9 +16,10 @@ struct Command {
 };
 
 constexpr Command kCommands[] = {
-    {"check", run_check},   {"lint", run_check},  {"prove", run_check},
-    {"equiv", run_equiv},   {"lower", run_lower}, {"run", run_simulation},
-    {"render", run_render}, {"rule", run_rule},
+    {"check", run_check},
+    {"lint", run_check},
+    {"prove", run_check},
+    {"rule", run_rule},
 };
 
 int run(int argc, char** argv) {
@@ -28,7 +29,7 @@ int run(int argc, char** argv) {
   for (const Command& command : kCommands) {
     if (command.name == options.command) return command.run(options);
   }
-  return kExitUsage;
+  return usage_error("`" + options.command + "` is not supported yet");
 }
 
 }  // namespace

@@ -50,6 +50,14 @@ std::string render(const EquivalenceReport& report, std::string_view format,
   return render(as_report(report), format, options, colour);
 }
 
+std::string render(const RunReport& report, std::string_view format,
+                   const Options& options, bool colour) {
+  if (format == "json") return write_json(report);
+  return write_text(report, text_options(options, colour));
+}
+
+int exit_status(const RunReport&) { return 0; }
+
 template <class AnyReport>
 int emit_all(const AnyReport& report, const Options& options) {
   bool stdout_taken = false;
@@ -161,6 +169,10 @@ int emit(const Report& report, const Options& options) {
 }
 
 int emit(const EquivalenceReport& report, const Options& options) {
+  return emit_all(report, options);
+}
+
+int emit(const RunReport& report, const Options& options) {
   return emit_all(report, options);
 }
 

@@ -7,6 +7,7 @@
 #include "app/options.h"
 #include "reports/equivalence.h"
 #include "reports/report.h"
+#include "reports/run.h"
 
 namespace rung {
 
@@ -34,5 +35,6 @@ bool use_colour(const Options& options);
 /// when something could not be written.
 int emit(const Report& report, const Options& options);
 int emit(const EquivalenceReport& report, const Options& options);
+int emit(const RunReport& report, const Options& options);
 
 }  // namespace rung

@@ -24,26 +24,28 @@ struct Note {
   std::string text;
 };
 
-bool is_affordable(const Program& program, const Trace& trace) {
-  const std::uint64_t rungs = program.rungs.size() + 1;
-  std::uint64_t scans = 0;
+/// Executes the trace's inputs; false when that would take too long.
+bool run(const Program& program, const Trace& trace, Simulator& simulator) {
+  std::uint64_t affordable = kMaxExecutedRungs / (program.rungs.size() + 1);
   for (const Trace::Step& step : trace.steps) {
     if (step.values.size() != program.cells.size()) return false;
-    scans += std::min<std::uint64_t>(step.repeat, kMaxExecutedRungs);
-    if (scans > kMaxExecutedRungs / rungs) return false;
-  }
-  return true;
-}
-
-void run(const Program& program, const Trace& trace, Simulator& simulator) {
-  for (const Trace::Step& step : trace.steps) {
     for (const CellId id : ids_of(program.cells)) {
       if (program.cells[id].role == CellRole::Input) {
         simulator.set_input(id, step.values[id.index()]);
       }
     }
-    for (std::uint64_t i = 0; i < step.repeat; ++i) simulator.scan(step.dt_ms);
+    std::uint64_t left = step.repeat;
+    while (left > 0) {
+      if (affordable-- == 0) return false;
+      simulator.scan(step.dt_ms);
+      --left;
+      const std::uint64_t idle =
+          std::min(left, simulator.idle_scans(step.dt_ms));
+      simulator.skip(idle, step.dt_ms);
+      left -= idle;
+    }
   }
+  return true;
 }
 
 std::vector<Note> notes_of(const Program& program, const Rung& rung,
@@ -105,12 +107,9 @@ void draw_line(std::string_view line, std::size_t line_begin,
 std::string draw_rung_values(const RungValues& values, const Painter& paint,
                              Locator& locator) {
   const Program& program = values.program;
-  if (values.rungs.empty() || values.trace.steps.empty() ||
-      !is_affordable(program, values.trace)) {
-    return {};
-  }
+  if (values.rungs.empty() || values.trace.steps.empty()) return {};
   Simulator simulator(program);
-  run(program, values.trace, simulator);
+  if (!run(program, values.trace, simulator)) return {};
   const std::size_t count = std::min(values.rungs.size(), kMaxRungs);
   std::string out;
   for (std::size_t i = 0; i < count; ++i) {
