@@ -70,8 +70,8 @@ std::optional<Stimulus> make_stimulus(Session& session, const Program& program,
     if (input.error) {
       errors.report(*input.error);
     } else {
-      stimulus = read_stimulus(program, session.sources(), input.file, dt_ms,
-                               errors);
+      stimulus =
+          read_stimulus(program, session.sources(), input.file, dt_ms, errors);
     }
     if (errors.has_errors()) {
       report.findings = errors.take();
@@ -82,16 +82,6 @@ std::optional<Stimulus> make_stimulus(Session& session, const Program& program,
     fit(program, options.scans.value_or(kDefaultScans), dt_ms, stimulus);
   }
   return stimulus;
-}
-
-int print_errors(const SourceSet& sources, const FileReport& report,
-                 const Options& options) {
-  std::string out;
-  for (const Diagnostic& finding : report.findings) {
-    out += write_diagnostic(sources, finding, use_colour(options)) + "\n";
-  }
-  static_cast<void>(print_out(out));
-  return kExitUsage;
 }
 
 }  // namespace
@@ -110,12 +100,12 @@ int run_simulation(const Options& options) {
   }
   Loaded loaded = session.load(session.inputs().front());
   if (!loaded.program) {
-    return print_errors(session.sources(), loaded.report, options);
+    return print_input_errors(session.sources(), loaded.report, options);
   }
   const Program& program = *loaded.program;
   const auto stimulus = make_stimulus(session, program, loaded.report);
   if (!stimulus) {
-    return print_errors(session.sources(), loaded.report, options);
+    return print_input_errors(session.sources(), loaded.report, options);
   }
   const Recording recording = record(program, *stimulus);
   if (!options.output.empty()) {

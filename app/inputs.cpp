@@ -11,6 +11,9 @@
 #include <system_error>
 #include <utility>
 
+#include "frontend/postfix/disassemble.h"
+#include "frontend/postfix/reader.h"
+
 namespace rung {
 namespace {
 
@@ -126,7 +129,16 @@ Input read_input(const std::string& path, SourceSet& sources) {
   if (!bytes.code.empty()) {
     return failed(path, sources, bytes.code, std::move(bytes.error));
   }
-  return {sources.add(path, std::move(bytes.text)), path, std::nullopt};
+  if (!is_postfix_binary(bytes.text)) {
+    return {sources.add(path, std::move(bytes.text)), path, std::nullopt};
+  }
+  // Places in a binary are those of the text that it stands for.
+  DiagnosticList refused;
+  const FileId file =
+      add_postfix(sources, path, std::move(bytes.text), refused);
+  if (!refused.has_errors()) return {file, path, std::nullopt};
+  const Diagnostic& first = refused.items().front();
+  return failed(path, sources, first.code, first.message);
 }
 
 std::vector<Input> read_inputs(const std::vector<std::string>& paths,

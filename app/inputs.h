@@ -17,7 +17,8 @@ struct Input {
 };
 
 /// Reads a file, or standard input for `-`.
-/// Errors: RP070 unreadable, RP071 above kMaxFileBytes.
+/// Errors: RP070 unreadable, RP071 above kMaxFileBytes, RP082 a postfix binary
+///         that the machine would refuse.
 Input read_input(const std::string& path, SourceSet& sources);
 
 /// The same for each path; a directory stands for the scripts (`*.rung`) below

@@ -5,6 +5,7 @@
 #include <string>
 #include <string_view>
 
+#include "frontend/postfix/reader.h"
 #include "frontend/recognise.h"
 #include "frontend/script/reader.h"
 
@@ -95,7 +96,9 @@ std::vector<std::string> notes_of(const Program& program) {
 
 Ast read(const Input& input, const Language& language, std::string_view dialect,
          const SourceSet& sources, DiagnosticSink& sink) {
-  static_cast<void>(language);  // one reader so far
+  if (language.name == "postfix") {
+    return read_postfix(sources, input.file, sink);
+  }
   return read_script(sources, input.file, dialect, sink);
 }
 

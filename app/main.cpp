@@ -16,10 +16,8 @@ struct Command {
 };
 
 constexpr Command kCommands[] = {
-    {"check", run_check},
-    {"lint", run_check},
-    {"prove", run_check},
-    {"rule", run_rule},
+    {"check", run_check},    {"lint", run_check},    {"prove", run_check},
+    {"run", run_simulation}, {"render", run_render}, {"rule", run_rule},
 };
 
 int run(int argc, char** argv) {

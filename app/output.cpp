@@ -164,6 +164,16 @@ bool use_colour(const Options& options) {
   return !forbidden && ::isatty(STDOUT_FILENO) != 0;
 }
 
+int print_input_errors(const SourceSet& sources, const FileReport& report,
+                       const Options& options) {
+  std::string out;
+  for (const Diagnostic& finding : report.findings) {
+    out += write_diagnostic(sources, finding, use_colour(options)) + "\n";
+  }
+  std::fwrite(out.data(), 1, out.size(), stderr);
+  return kExitUsage;
+}
+
 int emit(const Report& report, const Options& options) {
   return emit_all(report, options);
 }

@@ -30,6 +30,10 @@ std::optional<std::string> check_formats(const Options& options);
 
 bool use_colour(const Options& options);
 
+/// Prints the input errors of a command whose result is no report; kExitUsage.
+int print_input_errors(const SourceSet& sources, const FileReport& report,
+                       const Options& options);
+
 /// Writes every format that was asked for, text on standard output where no
 /// other format takes it. The exit code: that of the report, or kExitUsage
 /// when something could not be written.

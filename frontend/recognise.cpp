@@ -3,11 +3,12 @@
 #include <array>
 #include <cstddef>
 
+#include "frontend/postfix/reader.h"
+
 namespace rung {
 namespace {
 
 constexpr std::string_view kBlanks = " \t\r\n\f";
-constexpr std::string_view kPostfixMagic = "\x9eRPF";
 
 std::string_view trimmed(std::string_view text) {
   const std::size_t begin = text.find_first_not_of(kBlanks);
@@ -46,11 +47,6 @@ bool starts_word(std::string_view line, std::string_view word) {
   if (rest.empty()) return true;
   return kBlanks.find(rest.front()) != std::string_view::npos &&
          !trimmed(rest).starts_with("=");
-}
-
-bool is_postfix(std::string_view text) {
-  return text.starts_with(kPostfixMagic) ||
-         starts_word(first_line(text), "postfix");
 }
 
 bool is_plcopen(std::string_view text) {
@@ -109,7 +105,7 @@ bool is_ascii_ladder(std::string_view text) {
 bool is_script(std::string_view) { return true; }
 
 constexpr std::array kLanguages = {
-    Language{"postfix", false, is_postfix},
+    Language{"postfix", true, is_postfix},
     Language{"ldmicro", false, is_ldmicro},
     Language{"plcopen", false, is_plcopen},
     Language{"plclib", false, is_plclib},

@@ -197,7 +197,7 @@ std::string write_text(const EquivalenceReport& report,
     out += '\n';
   }
   if (quiet) return out;
-  out += "compared " + counted(report.outputs.size(), "output");
+  out += "compared " + quantity(report.outputs.size(), "output");
   if (!report.engine.empty()) out += ", by " + report.engine;
   out += '\n';
   return out;
@@ -228,7 +228,7 @@ Report as_report(const EquivalenceReport& report) {
   result.obligation.kind = "equivalence";
   result.obligation.text =
       fmt::format("{} and {} are the same on {}", report.a.path, report.b.path,
-                  counted(report.outputs.size(), "output"));
+                  quantity(report.outputs.size(), "output"));
   result.obligation.where = {report.a.file, 0, 0};
   result.verdict = report.verdict == "equivalent"  ? Verdict::Proved
                    : report.verdict == "different" ? Verdict::Violated

@@ -129,7 +129,7 @@ std::string verdict_phrase(const ObligationResult& result) {
   std::string out(to_string(result.verdict));
   if (result.verdict == Verdict::Bounded) {
     out += fmt::format(": no violation within {}, no proof",
-                       counted(result.scans, "scan"));
+                       quantity(result.scans, "scan"));
   }
   if (!result.reason.empty()) {
     out += (result.verdict == Verdict::Bounded ? ": " : ": ") + result.reason;
@@ -145,7 +145,7 @@ std::string explain(const FileReport& file, const ObligationResult& result,
     case Verdict::Proved:
       return result.obligation.goal == Goal::Reach
                  ? fmt::format("a run gets there in {}",
-                               counted(result.scans, "scan"))
+                               quantity(result.scans, "scan"))
                  : "it holds in every reachable state";
     case Verdict::Bounded:
     case Verdict::Vacuous:
@@ -155,7 +155,7 @@ std::string explain(const FileReport& file, const ObligationResult& result,
   return {};
 }
 
-std::string counted(std::size_t count, std::string_view noun) {
+std::string quantity(std::size_t count, std::string_view noun) {
   return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
 }
 

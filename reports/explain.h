@@ -22,6 +22,6 @@ const std::vector<std::string>& formulas_of(const FileReport& file,
 std::string verdict_phrase(const ObligationResult& result);
 
 /// "12 obligations", "1 obligation".
-std::string counted(std::size_t count, std::string_view noun);
+std::string quantity(std::size_t count, std::string_view noun);
 
 }  // namespace rung

@@ -74,11 +74,10 @@ std::vector<CellId> moving(const Program& program, const Trace& trace) {
   for (const CellId id : ids_of(program.cells)) {
     all.push_back(id);
     const std::int64_t initial = program.cells[id].initial;
-    const bool moves =
-        std::any_of(trace.steps.begin(), trace.steps.end(),
-                    [id, initial](const Trace::Step& step) {
-                      return step.values[id.index()] != initial;
-                    });
+    const bool moves = std::any_of(trace.steps.begin(), trace.steps.end(),
+                                   [id, initial](const Trace::Step& step) {
+                                     return step.values[id.index()] != initial;
+                                   });
     if (moves) shown.push_back(id);
   }
   if (shown.empty()) shown = std::move(all);
@@ -99,20 +98,20 @@ std::string write_text(const RunReport& report, const TextOptions& options) {
   const std::size_t rows = shown.steps.size();
   if (rows > kMaxRows) shown.steps.resize(kMaxRows);
   const Painter paint(options.colour);
-  std::string out =
-      draw_scan_table({report.program, shown, moving(report.program, shown), ""},
-                      paint);
+  std::string out = draw_scan_table(
+      {report.program, shown, moving(report.program, shown), ""}, paint);
   if (rows > kMaxRows) {
-    out += fmt::format("... {} more; --out FILE.vcd and --format json have "
-                       "all of them\n",
-                       counted(rows - kMaxRows, "row"));
+    out += fmt::format(
+        "... {} more; --out FILE.vcd and --format json have "
+        "all of them\n",
+        quantity(rows - kMaxRows, "row"));
   }
   if (options.detail == TextOptions::Detail::Quiet) return out;
   const std::uint64_t scans =
       report.trace.steps.empty() ? 0 : report.trace.steps.back().scan;
   out += fmt::format("ran {}: {} of {}\n", printable(report.path),
-                     counted(scans, "scan"),
-                     counted(report.program.rungs.size(), "rung"));
+                     quantity(scans, "scan"),
+                     quantity(report.program.rungs.size(), "rung"));
   return out;
 }
 

@@ -26,7 +26,7 @@ std::string verdict_counts(const Summary& summary) {
 std::string finding_counts(const Summary& summary) {
   std::string out;
   const auto add = [&](std::size_t count, std::string_view noun) {
-    if (count > 0) out += (out.empty() ? "" : ", ") + counted(count, noun);
+    if (count > 0) out += (out.empty() ? "" : ", ") + quantity(count, noun);
   };
   add(summary.input_errors, "input error");
   add(summary.errors, "error");
@@ -39,8 +39,8 @@ std::string finding_counts(const Summary& summary) {
 
 std::string summary_line(const Report& report, const Painter& paint) {
   const Summary summary = summarise(report);
-  std::string out = "checked " + counted(summary.files, "file") + ", " +
-                    counted(summary.rungs, "rung");
+  std::string out = "checked " + quantity(summary.files, "file") + ", " +
+                    quantity(summary.rungs, "rung");
   if (report.proved) {
     if (summary.obligations == 0) {
       out += ", no obligations";
@@ -51,7 +51,7 @@ std::string summary_line(const Report& report, const Painter& paint) {
                                                        "proved",
                                                        summary.proved));
     } else {
-      out += ", " + counted(summary.obligations, "obligation") + ": " +
+      out += ", " + quantity(summary.obligations, "obligation") + ": " +
              verdict_counts(summary);
     }
   }
@@ -59,7 +59,7 @@ std::string summary_line(const Report& report, const Painter& paint) {
     out += "; " + finding_counts(summary);
   }
   if (summary.failures > 0) {
-    out += "; " + counted(summary.failures, "failed self-check");
+    out += "; " + quantity(summary.failures, "failed self-check");
   }
   return out;
 }

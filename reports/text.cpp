@@ -106,10 +106,12 @@ class TextWriter {
                                       : phrase.substr(colon + 2);
   }
 
-  /// `NAME: TEXT`, or the text alone where the name is made from it.
+  /// `NAME: TEXT`; a line that gives the name itself is enough alone.
   static std::string title(const ObligationResult& result) {
-    return printable(result.obligation.name) + ": " +
-           printable(result.obligation.text);
+    const std::string& name = result.obligation.name;
+    const std::string& text = result.obligation.text;
+    if (text.starts_with(name + ":")) return printable(text);
+    return printable(name) + ": " + printable(text);
   }
 
   std::string place_of(const SourceRange& where) {
@@ -154,7 +156,7 @@ class TextWriter {
   void write_evidence(const ObligationResult& result) {
     out_ += result.verdict == Verdict::Proved ? "\n    by " : "    by ";
     out_ += fmt::format("{}, {:.1f} ms", result.engine, result.milliseconds);
-    if (result.scans > 0) out_ += ", " + counted(result.scans, "scan");
+    if (result.scans > 0) out_ += ", " + quantity(result.scans, "scan");
     if (result.certificate) {
       for (const std::string& checker : result.certificate->checked_by) {
         out_ += ", checked by " + checker;

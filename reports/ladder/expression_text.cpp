@@ -9,7 +9,16 @@ namespace rung {
 namespace {
 
 /// How tightly an operator binds; names and calls most.
-enum Strength : std::uint8_t { kOr, kXor, kAnd, kCompare, kAdd, kTimes, kUnary, kAtom };
+enum Strength : std::uint8_t {
+  kOr,
+  kXor,
+  kAnd,
+  kCompare,
+  kAdd,
+  kTimes,
+  kUnary,
+  kAtom
+};
 
 struct Piece {
   std::string text;
@@ -150,8 +159,7 @@ class Printer {
 
 std::string call_text(const Program& program, const ElementCall& call) {
   const Instance& instance = program.instances[call.instance];
-  std::string out =
-      fmt::format("{}({})", call.operation->name, instance.index);
+  std::string out = fmt::format("{}({})", call.operation->name, instance.index);
   for (const ElementParameter& parameter : call.operation->parameters) {
     if (parameter.kind == ParameterKind::Seconds) {
       out += " " + duration(call.parameter);

@@ -167,9 +167,8 @@ class RungLayout {
       return single(Kind::Box, text(index));
     }
     const std::string label =
-        node.op == NodeOp::Not
-            ? "NOT"
-            : call_text(program_, program_.calls[node.call]);
+        node.op == NodeOp::Not ? "NOT"
+                               : call_text(program_, program_.calls[node.call]);
     return series(at(*input), single(Kind::Box, label));
   }
 

@@ -12,12 +12,12 @@ namespace rung {
 /// rows of a contact each; every writer scales them as it likes.
 struct LadderShape {
   enum class Kind : std::uint8_t {
-    Wire,      // from (x, y) to (x + width, y)
-    Riser,     // from (x, y) down to (x, y + height)
-    Contact,   // -| |-, `text` above; centred in [x, x + width)
-    Negated,   // -|/|-
-    Box,       // -[text]-
-    Coil,      // -( )-
+    Wire,     // from (x, y) to (x + width, y)
+    Riser,    // from (x, y) down to (x, y + height)
+    Contact,  // -| |-, `text` above; centred in [x, x + width)
+    Negated,  // -|/|-
+    Box,      // -[text]-
+    Coil,     // -( )-
   };
   Kind kind = Kind::Wire;
   int x = 0;

@@ -199,9 +199,9 @@ std::string draw_ladder(const SourceSet& sources, const Program& program,
   for (const RungId id : ids_of(program.rungs)) {
     const LadderRung& rung = rungs[id.index()];
     const Place place = locator.of(program.rungs[id].where);
-    out += fmt::format("{:>3} {}:{}\n", id.index() + 1,
-                       printable(sources[program.file].path()),
-                       place.begin.line);
+    out +=
+        fmt::format("{:>3} {}:{}\n", id.index() + 1,
+                    printable(sources[program.file].path()), place.begin.line);
     out += RungDrawing(rung, std::max(width, rung.width), ascii).text();
     out += '\n';
   }
