@@ -68,7 +68,7 @@ class Builtins {
     for (const Instance& instance : program_.instances) {
       if (instance.kind->done.empty()) continue;
       const bool timer = instance.kind->family == ElementFamily::Timer;
-      add(instance.name, "can-fire", instance.name + ".q",
+      add(instance.name, "can-fire", instance.name + ".fired",
           (timer ? "timer `" : "counter `") + instance.name + "` can fire",
           instance.where);
     }

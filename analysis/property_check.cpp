@@ -67,6 +67,8 @@ PropertyName PropertyNames::find(std::string_view name) const {
       kind.family == ElementFamily::Timer ? "elapsed" : "value";
   if (member == "q" && !kind.done.empty()) {
     found.kind = PropertyName::Kind::Done;
+  } else if (member == "fired" && !kind.done.empty()) {
+    found.kind = PropertyName::Kind::Fired;
   } else if (member == value && !kind.value.empty()) {
     found.kind = PropertyName::Kind::Value;
   }
@@ -79,7 +81,10 @@ std::string PropertyNames::suggestion(std::string_view name) const {
   std::vector<std::string> members;
   for (const Instance& instance : program_.instances) {
     const ElementKind& kind = *instance.kind;
-    if (!kind.done.empty()) members.push_back(instance.name + ".q");
+    if (!kind.done.empty()) {
+      members.push_back(instance.name + ".q");
+      members.push_back(instance.name + ".fired");
+    }
     if (kind.value.empty()) continue;
     members.push_back(instance.name + (kind.family == ElementFamily::Timer
                                            ? ".elapsed"
@@ -199,6 +204,7 @@ FormulaChecker::Value FormulaChecker::name(const FormulaNode& node) {
       return result;
     }
     case PropertyName::Kind::Done:
+    case PropertyName::Kind::Fired:
     case PropertyName::Kind::Value:
       break;
   }

@@ -22,6 +22,7 @@ struct PropertyName {
     Unknown,
     Cell,   // cell
     Done,   // T(0).q
+    Fired,  // T(0).fired
     Value,  // T(0).elapsed, C(0).value
   };
   Kind kind = Kind::Unknown;

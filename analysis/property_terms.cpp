@@ -190,6 +190,9 @@ ExprId PropertyTerms::cell(CellId id, std::uint32_t back) {
 
 ExprId PropertyTerms::element(const PropertyName& name, std::string_view text,
                               std::uint32_t back) {
+  if (name.kind == PropertyName::Kind::Fired) {
+    return fired(name.instance, text, back);
+  }
   const Instance& instance = program_.instances[name.instance];
   const std::string_view formula = name.kind == PropertyName::Kind::Done
                                        ? instance.kind->done
@@ -202,6 +205,17 @@ ExprId PropertyTerms::element(const PropertyName& name, std::string_view text,
   assert(ts_.exprs.is_constant(initial));
   return older(at(ElementNames::Before), ts_.exprs[initial].value, text, 1,
                back);
+}
+
+/// A call gave true in the scan. A timer that is reset in the scan in which it
+/// fires is not on at its end: `.q` would never see it.
+ExprId PropertyTerms::fired(InstanceId id, std::string_view text,
+                            std::uint32_t back) {
+  ExprId any = ts_.exprs.bit(false);
+  for (const CallId call : calls_[id.index()]) {
+    any = ts_.exprs.disjunction(any, ts_.call_value[call.index()]);
+  }
+  return older(any, 0, text, 0, back);
 }
 
 ExprId PropertyTerms::observation(const Instance& instance, InstanceId id,

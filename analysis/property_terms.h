@@ -26,7 +26,13 @@ namespace rung {
 class PropertyTerms {
  public:
   PropertyTerms(const Program& program, TransitionSystem& ts)
-      : program_(program), ts_(ts), names_(program) {}
+      : program_(program), ts_(ts), names_(program) {
+    calls_.resize(program.instances.size());
+    for (const CallId id : ids_of(program.calls)) {
+      const ElementCall& call = program.calls[id];
+      if (!call.operation->resets) calls_[call.instance.index()].push_back(id);
+    }
+  }
 
   /// The bit term of a formula's text, at this scan's end.
   ExprId term(std::string_view text);
@@ -62,6 +68,7 @@ class PropertyTerms {
   ExprId cell(CellId id, std::uint32_t back);
   ExprId element(const PropertyName& name, std::string_view text,
                  std::uint32_t back);
+  ExprId fired(InstanceId id, std::string_view text, std::uint32_t back);
   ExprId observation(const Instance& instance, InstanceId id,
                      std::string_view formula, int moment);
   ExprId once(ExprId now, std::string_view text, std::uint32_t back);
@@ -78,7 +85,8 @@ class PropertyTerms {
   const Program& program_;
   TransitionSystem& ts_;
   PropertyNames names_;
-  std::string_view text_;  // of the formula at hand
+  std::vector<std::vector<CallId>> calls_;  // by InstanceId, resets left out
+  std::string_view text_;                   // of the formula at hand
   std::unordered_map<std::uint64_t, ExprId> values_;
   std::map<std::pair<ExprId, std::int64_t>, std::uint32_t> remembered_;
   std::unordered_map<ExprId, std::uint32_t> once_;

@@ -16,6 +16,13 @@ Word observe(const Observation& observation, const Simulator& simulator) {
       return simulator.value(observation.cell);
     case Observation::Kind::Done:
       return simulator.done(observation.instance) ? 1 : 0;
+    case Observation::Kind::Fired:
+      return std::any_of(observation.calls.begin(), observation.calls.end(),
+                         [&](std::uint32_t call) {
+                           return simulator.node_value(call) != 0;
+                         })
+                 ? 1
+                 : 0;
     case Observation::Kind::Elapsed:
       return simulator.elapsed(observation.instance);
     case Observation::Kind::Count:
@@ -96,6 +103,12 @@ ObservationNames::ObservationNames(const Program& program) {
   for (const InstanceId instance : ids_of(program.instances)) {
     instances_.emplace(program.instances[instance].name, instance);
   }
+  calls_.resize(program.instances.size());
+  for (std::uint32_t i = 0; i < program.nodes.size(); ++i) {
+    if (program.nodes[i].op != NodeOp::Call) continue;
+    const ElementCall& call = program.calls[program.nodes[i].call];
+    if (!call.operation->resets) calls_[call.instance.index()].push_back(i);
+  }
 }
 
 Observation ObservationNames::find(std::string_view name) const {
@@ -109,7 +122,9 @@ Observation ObservationNames::find(std::string_view name) const {
   assert(instance != instances_.end() && dot != std::string_view::npos);
   result.instance = instance->second;
   const std::string_view what = name.substr(dot + 1);
+  if (what == "fired") result.calls = calls_[result.instance.index()];
   result.kind = what == "q"         ? Observation::Kind::Done
+                : what == "fired"   ? Observation::Kind::Fired
                 : what == "elapsed" ? Observation::Kind::Elapsed
                                     : Observation::Kind::Count;
   return result;

@@ -14,14 +14,16 @@ namespace rung {
 
 /// Where a name of a formula is read in the simulator.
 struct Observation {
-  enum class Kind : std::uint8_t { Cell, Done, Elapsed, Count };
+  enum class Kind : std::uint8_t { Cell, Done, Fired, Elapsed, Count };
   Kind kind = Kind::Cell;
   CellId cell;
   InstanceId instance;
+  /// Fired: the calls of the instance, as positions in Program::nodes.
+  std::vector<std::uint32_t> calls;
 };
 
-/// The names of a program: cells, and T(0).q, T(0).elapsed, C(0).value. Views
-/// into the program, which outlives it.
+/// The names of a program: cells, and T(0).q, T(0).fired, T(0).elapsed,
+/// C(0).value. Views into the program, which outlives it.
 class ObservationNames {
  public:
   explicit ObservationNames(const Program& program);
@@ -31,6 +33,7 @@ class ObservationNames {
  private:
   std::unordered_map<std::string_view, CellId> cells_;
   std::unordered_map<std::string_view, InstanceId> instances_;
+  std::vector<std::vector<std::uint32_t>> calls_;  // by InstanceId
 };
 
 constexpr std::uint64_t kForever = ~std::uint64_t{0};

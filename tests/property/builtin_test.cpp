@@ -29,8 +29,8 @@ TEST(Builtins, AreAskedOfEveryLatchOutputTimerAndCounter) {
             "builtin.Q3.can-become-false fell(Q3)\n"
             "builtin.Q4.can-become-true rose(Q4)\n"
             "builtin.Q4.can-become-false fell(Q4)\n"
-            "builtin.T(0).can-fire T(0).q\n"
-            "builtin.C(0).can-fire C(0).q\n");
+            "builtin.T(0).can-fire T(0).fired\n"
+            "builtin.C(0).can-fire C(0).fired\n");
 }
 
 TEST(Builtins, ComeAfterTheWrittenOnes) {

@@ -108,6 +108,12 @@ const std::vector<Atom> kAtoms = {
        while (first > 1 && r[first].i0 && r[first - 1].i0) --first;
        return r[k].i0 && r[k].time - r[first].time >= 20;
      }},
+    {"T(0).fired",
+     [](const Run& r, std::size_t k) {
+       std::size_t first = k;
+       while (first > 1 && r[first].i0 && r[first - 1].i0) --first;
+       return k > 0 && r[k].i0 && r[k].time - r[first].time >= 20;
+     }},
     {"prev(T(0).q)",
      [](const Run& r, std::size_t k) {
        if (k == 0) return false;
@@ -278,6 +284,21 @@ class Walk {
   Run run_;
 };
 
+/// The run as the simulator is told about it.
+Stimulus stimulus_of(const ReadLines& read, const Run& run) {
+  Stimulus stimulus;
+  for (const char* const name : {"I0", "I1", "I2", "IW0"}) {
+    stimulus.inputs.push_back(read.sample.find(name));
+  }
+  for (std::size_t i = 1; i < run.size(); ++i) {
+    const Moment& now = run[i];
+    stimulus.steps.push_back({.dt_ms = now.time - run[i - 1].time,
+                              .repeat = 1,
+                              .inputs = {now.i0, now.i1, now.i2, now.word}});
+  }
+  return stimulus;
+}
+
 void compare(const Claim& claim, Dice& dice, bool q0_first) {
   ReadLines read(claim.line, q0_first ? "Q0" : "");
   ASSERT_FALSE(read.found.has_errors()) << claim.line << read.error();
@@ -289,6 +310,13 @@ void compare(const Claim& claim, Dice& dice, bool q0_first) {
   ASSERT_EQ(first.trigger.has_value(), static_cast<bool>(claim.trigger))
       << claim.line;
   Walk walk(ts, dice, q0_first);
+  const auto replayed = [&] {
+    return replay(read.sample.program, read.set, 0, 0,
+                  stimulus_of(read, walk.run()))
+        .decided_at;
+  };
+  const bool reach = first.goal == Goal::Reach;
+  bool reached = false;
   for (int scan = 0; scan < 40; ++scan) {
     walk.step();
     const bool holds = claim.holds(walk.run(), walk.now());
@@ -298,7 +326,16 @@ void compare(const Claim& claim, Dice& dice, bool q0_first) {
       ASSERT_EQ(walk.is(first.trigger), claim.trigger(walk.run(), walk.now()))
           << claim.line << ": trigger at scan " << walk.now();
     }
-    if (!holds) return;  // what comes after the first is not defined
+    if (reach && holds && !reached) {
+      reached = true;
+      ASSERT_EQ(replayed(), walk.now()) << claim.line;
+    }
+    if (reach || holds) continue;
+    ASSERT_EQ(replayed(), walk.now()) << claim.line;
+    return;  // what comes after the first violation is not defined
+  }
+  if (!reached) {
+    ASSERT_EQ(replayed(), 0U) << claim.line;
   }
 }
 
