@@ -35,7 +35,7 @@ class Random {
 /// while, scans short or long, so that timers fire.
 std::vector<std::uint64_t> fingerprints(const Product& product,
                                         const std::vector<bool>& in_cone) {
-  constexpr std::size_t kWork = 20'000'000;
+  constexpr std::size_t kWork = 4'000'000;
   constexpr std::size_t kRun = 64;
   const TransitionSystem& ts = product.ts;
   Interpreter terms(ts, product.same);

@@ -2,36 +2,17 @@
 
 #include <gtest/gtest.h>
 
-#include <memory>
 #include <string>
 #include <vector>
 
 #include "analysis/simulator.h"
-#include "frontend/script/reader.h"
+#include "programs.h"
 #include "smt/correspondence.h"
 
 namespace rung {
 namespace {
 
 using Verdict = EquivalenceVerdict;
-
-/// A script as a program; the texts live as long as it does.
-struct Read {
-  SourceSet sources;
-  Program program;
-};
-
-std::unique_ptr<Read> read(const std::string& text, std::string_view dialect) {
-  auto result = std::make_unique<Read>();
-  const FileId file = result->sources.add("test", text);
-  DiagnosticList problems;
-  const Ast ast = read_script(result->sources, file, dialect, problems);
-  result->program = build_program(ast, {}, problems);
-  for (const Diagnostic& d : problems.items()) {
-    EXPECT_NE(d.severity, Severity::Error) << text << ": " << d.message;
-  }
-  return result;
-}
 
 EquivalenceResult compare(const Program& a, const Program& b,
                           const EquivalenceOptions& options = {}) {

@@ -1,0 +1,203 @@
+#include "smt/oracle.h"
+
+#include <algorithm>
+#include <string>
+#include <unordered_map>
+#include <unordered_set>
+#include <utility>
+
+#include "analysis/simulator.h"
+#include "smt/interpret.h"
+#include "smt/partition.h"
+#include "smt/portfolio.h"
+
+namespace rung {
+namespace {
+
+using Status = Target::Status;
+
+std::vector<Target*> open_ones(const std::vector<Target*>& targets) {
+  std::vector<Target*> open;
+  for (Target* target : targets) {
+    if (target->status == Status::Open) open.push_back(target);
+  }
+  return open;
+}
+
+bool asks_for_runs(const std::vector<Target*>& targets) {
+  return std::any_of(targets.begin(), targets.end(), [](const Target* target) {
+    return target->purpose != Target::Purpose::Fault;
+  });
+}
+
+/// Is a variable of this scan's `root` among `variables`?
+bool touches(const TransitionSystem& ts, ExprId root,
+             const std::vector<bool>& variables) {
+  std::unordered_set<ExprId> seen;
+  std::vector<ExprId> open = {root};
+  while (!open.empty()) {
+    const ExprId id = open.back();
+    open.pop_back();
+    if (!seen.insert(id).second) continue;
+    const Expr& e = ts.exprs[id];
+    if (e.op == ExprOp::Variable && variables[e.var.index()]) return true;
+    for (const ExprId operand : {e.a, e.b, e.c}) {
+      if (operand.has_value()) open.push_back(operand);
+    }
+  }
+  return false;
+}
+
+/// Executes the terms on a stimulus; did the constraints hold in every scan?
+bool run_terms(const TransitionSystem& ts, const Stimulus& stimulus,
+               Interpreter& terms) {
+  std::unordered_map<CellId, VarId> inputs;
+  for (const VarId id : ids_of(ts.vars)) {
+    const Variable& variable = ts.vars[id];
+    if (variable.role == VarRole::Input) inputs.emplace(variable.cell, id);
+  }
+  bool allowed = true;
+  for (const StimulusStep& step : stimulus.steps) {
+    terms.set_input(ts.dt, step.dt_ms);
+    for (std::size_t i = 0; i < stimulus.inputs.size(); ++i) {
+      terms.set_input(inputs.at(stimulus.inputs[i]), step.inputs[i]);
+    }
+    for (std::uint64_t i = 0; i < step.repeat; ++i) {
+      terms.scan();
+      for (const ExprId constraint : ts.constraints) {
+        allowed = allowed && terms.value(constraint) != 0;
+      }
+    }
+  }
+  return allowed;
+}
+
+}  // namespace
+
+SolverOracle::SolverOracle(const Program& program, TransitionSystem& ts,
+                           const OracleOptions& options)
+    : program_(program),
+      ts_(ts),
+      options_(options),
+      deadline_(options.seconds) {}
+
+Oracle::Evidence SolverOracle::always(ExprId condition) {
+  return always(std::vector<ExprId>{condition}).front();
+}
+
+std::vector<Oracle::Evidence> SolverOracle::always(
+    const std::vector<ExprId>& conditions) {
+  growth_ = growth_terms(ts_);
+  // The same question is asked once; two rules may have it.
+  std::unordered_map<ExprId, std::size_t> place;
+  std::vector<Target> targets;
+  const auto ask = [&](ExprId never, Target::Purpose purpose) {
+    if (!place.emplace(never, targets.size()).second) return;
+    targets.push_back({.term = ts_.exprs.negation(never),
+                       .never = never,
+                       .purpose = purpose});
+  };
+  for (const Fault& fault : ts_.faults) {
+    ask(ts_.exprs.negation(fault.condition), Target::Purpose::Fault);
+  }
+  for (const ExprId condition : conditions) {
+    ask(condition, Target::Purpose::Violation);
+  }
+  std::vector<ExprId> roots;
+  for (const Target& target : targets) roots.push_back(target.term);
+  for (const std::vector<std::size_t>& group : partition(ts_, roots)) {
+    std::vector<Target*> members;
+    for (const std::size_t i : group) members.push_back(&targets[i]);
+    for (const char* engine : {"induction", "bmc"}) {
+      decide(open_ones(members), engine);
+    }
+  }
+  std::vector<Evidence> answers;
+  for (const ExprId condition : conditions) {
+    answers.push_back(answer(targets[place.at(condition)], targets));
+  }
+  return answers;
+}
+
+Oracle::Evidence SolverOracle::answer(
+    const Target& target, const std::vector<Target>& targets) const {
+  Evidence evidence;
+  evidence.engine = target.engine;
+  if (target.status == Status::Unreachable) {
+    if (!fault_may_matter(target.term, targets)) evidence.answer = Answer::Yes;
+  } else if (target.status == Status::Reached) {
+    evidence.witness = replay(target);
+    if (evidence.witness) evidence.answer = Answer::No;
+  }
+  return evidence;
+}
+
+void SolverOracle::decide(std::vector<Target*> open, const char* engine) {
+  if (open.empty() || !asks_for_runs(open) || deadline_.passed()) return;
+  Portfolio portfolio(ts_, growth_, open,
+                      {engine, options_.max_depth, &deadline_});
+  portfolio.run();
+  if (portfolio.cone().circuit().overflow()) {
+    for (Target* target : open) target->status = Status::Open;
+    return;
+  }
+  confirm(open, portfolio.invariant());
+}
+
+/// A proof that its check does not accept is none.
+void SolverOracle::confirm(const std::vector<Target*>& targets,
+                           const Invariant& invariant) {
+  std::vector<ExprId> goals;
+  for (const Target* target : targets) {
+    if (target->status == Status::Unreachable) goals.push_back(target->never);
+  }
+  if (goals.empty() || !options_.self_check) return;
+  const CertificateReport report =
+      session_.check(ts_, invariant, goals, {options_.seconds, {}, {}, {}});
+  if (report.outcome == CertificateOutcome::Accepted) return;
+  for (Target* target : targets) {
+    if (target->status == Status::Unreachable) target->status = Status::Open;
+  }
+}
+
+/// The run on the simulator; nothing when its cells are not what the terms
+/// say, or the target is not true at its end.
+std::optional<Trace> SolverOracle::replay(const Target& target) const {
+  const Stimulus stimulus = to_stimulus(ts_, target.run);
+  Trace trace = simulate(program_, stimulus);
+  if (!options_.self_check) return trace;
+  const std::vector<bool> cone = cone_of_influence(ts_, {target.term});
+  std::vector<ExprId> roots = ts_.constraints;
+  roots.push_back(target.term);
+  std::vector<CellId> cells;
+  for (const State& state : ts_.states) {
+    const CellId cell = ts_.vars[state.var].cell;
+    if (!cell.has_value() || !cone[state.var.index()]) continue;
+    cells.push_back(cell);
+    roots.push_back(ts_.cell_end[cell.index()]);
+  }
+  Interpreter terms(ts_, roots);
+  if (!run_terms(ts_, stimulus, terms)) return std::nullopt;
+  if (trace.steps.empty() || terms.value(target.term) == 0) return std::nullopt;
+  const std::vector<std::int64_t>& last = trace.steps.back().values;
+  for (const CellId cell : cells) {
+    const ExprId end = ts_.cell_end[cell.index()];
+    if (terms.value(end) != last[cell.index()]) return std::nullopt;
+  }
+  return trace;
+}
+
+/// Does a fault that may happen read what the condition depends on?
+bool SolverOracle::fault_may_matter(ExprId condition,
+                                    const std::vector<Target>& targets) const {
+  std::vector<bool> cone;
+  for (const Target& target : targets) {
+    if (target.purpose != Target::Purpose::Fault) continue;
+    if (target.status == Status::Unreachable) continue;
+    if (cone.empty()) cone = cone_of_influence(ts_, {condition});
+    if (touches(ts_, target.term, cone)) return true;
+  }
+  return false;
+}
+
+}  // namespace rung

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <vector>
+
+#include "analysis/rule.h"
+#include "smt/certificate.h"
+#include "smt/sat.h"
+#include "smt/target.h"
+
+namespace rung {
+
+struct OracleOptions {
+  double seconds = 10;          // outer limit, all questions together
+  std::uint32_t max_depth = 8;  // jump steps of the search for witnesses
+  bool self_check = true;       // replay witnesses, re-check proofs
+};
+
+/// Answers the questions of lint rules on one transition system: joint
+/// induction on each group of conditions that share state, then a short
+/// bounded search for witnesses. What neither decides is Unknown: a rule that
+/// is not sure says nothing, so the effort is kept small.
+///
+/// Yes is backed by a certificate that was checked, No by a run on which the
+/// simulator has the same values as the terms.
+class SolverOracle : public Oracle {
+ public:
+  /// `ts` is that of `program`, with its assumptions as constraints.
+  SolverOracle(const Program& program, TransitionSystem& ts,
+               const OracleOptions& options = {});
+
+  Evidence always(ExprId condition) override;
+  std::vector<Evidence> always(const std::vector<ExprId>& conditions) override;
+
+ private:
+  void decide(std::vector<Target*> open, const char* engine);
+  void confirm(const std::vector<Target*>& targets, const Invariant& invariant);
+  Evidence answer(const Target& target,
+                  const std::vector<Target>& targets) const;
+  std::optional<Trace> replay(const Target& target) const;
+  bool fault_may_matter(ExprId condition,
+                        const std::vector<Target>& targets) const;
+
+  const Program& program_;
+  TransitionSystem& ts_;
+  OracleOptions options_;
+  Deadline deadline_;
+  std::vector<ExprId> growth_;
+  CertificateSession session_;
+};
+
+}  // namespace rung
