@@ -67,6 +67,7 @@ void StepCircuit::encode(ExprId root) {
     if (stack_.size() != waiting) continue;
     stack_.pop_back();
     words_.emplace(id, encode_one(e));
+    terms_.push_back(id);
   }
 }
 

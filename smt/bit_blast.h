@@ -30,12 +30,17 @@ class StepCircuit {
   const Word& word(ExprId term);  // of a bit term: one bit, no sign
   /// The leaves of a variable; a word's known sign is a constant.
   const Word& leaves(VarId var);
+  /// The same, of a variable that was met.
+  const Word& known(VarId var) const { return done(ts_->of(var)); }
   /// The state's value after the scan, as wide as leaves() of its variable.
   Word next(std::uint32_t state);
   /// The variables met so far, in the order of their first use.
   const std::vector<VarId>& variables() const { return variables_; }
   /// low <= x <= high, over the leaves of `var`.
   AigLit in_range(VarId var);
+
+  /// Every term encoded so far, operands first.
+  const std::vector<ExprId>& terms() const { return terms_; }
 
   struct Leaf {
     VarId var;  // no value: a gate or a constant
@@ -64,6 +69,7 @@ class StepCircuit {
   std::unordered_map<ExprId, Word> words_;
   std::vector<Leaf> leaf_;  // by node
   std::vector<VarId> variables_;
+  std::vector<ExprId> terms_;
   std::vector<ExprId> stack_;
   bool overflow_ = false;
 };

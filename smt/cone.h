@@ -18,6 +18,8 @@ class Cone {
   const TransitionSystem& ts() const { return circuit_.ts(); }
   StepCircuit& circuit() { return circuit_; }
   const StepCircuit& circuit() const { return circuit_; }
+  /// Of a variable of the cone.
+  const Word& leaves(VarId var) const { return circuit_.known(var); }
 
   /// State indices, ascending; inputs (dt, if it matters) by VarId.
   const std::vector<std::uint32_t>& states() const { return states_; }

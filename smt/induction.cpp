@@ -52,6 +52,20 @@ class Houdini {
     sat_.phase(-item.goal);
   }
 
+  /// Do `shown` follow from `assumed`? Fills `core` with the items assumed
+  /// that were needed.
+  bool follows(const std::vector<Item>& items, std::vector<int> shown_fail,
+               std::vector<bool>& core, std::int64_t conflicts) {
+    for (const Item& item : items) sat_.assume(item.active);
+    sat_.constrain(shown_fail);
+    if (sat_.solve(conflicts) != SatAnswer::Unsat) return false;
+    core.assign(items.size(), false);
+    for (std::size_t i = 0; i < items.size(); ++i) {
+      core[i] = sat_.failed(items[i].active);
+    }
+    return true;
+  }
+
   /// Drops items that fail until none does; false when a limit was reached.
   bool settle(std::vector<Item>& items, std::int64_t conflicts) {
     for (;;) {
@@ -149,6 +163,50 @@ bool step(Cone& cone, const Known& known, std::uint32_t k, Candidates& c,
 }
 
 }  // namespace
+
+std::vector<bool> needed_lemmas(Cone& cone, const Known& known,
+                                std::int64_t conflicts,
+                                const Deadline& deadline) {
+  Known facts;
+  facts.k = known.k;
+  Houdini session(cone, Unrolling::Start::Any, deadline);
+  for (std::uint32_t frame = 0; frame <= known.k; ++frame) {
+    session.require_scan(frame, facts);
+    session.require_state(frame, facts);
+  }
+  std::vector<int> open;  // negations of what is still to be shown
+  for (AigLit condition : known.conditions) {
+    for (std::uint32_t frame = 0; frame < known.k; ++frame) {
+      session.require(frame, condition);
+    }
+    Item item;
+    session.show_in(item, known.k, condition);
+    if (item.goal_signal != kAigTrue) open.push_back(-item.goal);
+  }
+  std::vector<Item> items;
+  for (AigLit lemma : known.lemmas) {
+    Item item = session.item(true);
+    for (std::uint32_t frame = 0; frame <= known.k; ++frame) {
+      session.assume_in(item, frame, lemma);
+    }
+    session.show_in(item, known.k + 1, lemma);
+    items.push_back(item);
+  }
+  std::vector<bool> needed(items.size(), false);
+  std::vector<bool> core;
+  while (!open.empty()) {
+    if (!session.follows(items, std::move(open), core, conflicts)) {
+      return std::vector<bool>(items.size(), true);
+    }
+    open.clear();
+    for (std::size_t i = 0; i < items.size(); ++i) {
+      if (!core[i] || needed[i]) continue;
+      needed[i] = true;
+      if (items[i].goal_signal != kAigTrue) open.push_back(-items[i].goal);
+    }
+  }
+  return needed;
+}
 
 bool prove_by_induction(Cone& cone, const Known& known, std::uint32_t k,
                         Candidates& candidates, std::int64_t conflicts,

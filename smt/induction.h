@@ -35,4 +35,10 @@ bool prove_by_induction(Cone& cone, const Known& known, std::uint32_t k,
                         Candidates& candidates, std::int64_t conflicts,
                         const Deadline& deadline);
 
+/// Which of `known.lemmas` its conditions rest on, closed under the step. All
+/// of them when a limit was reached.
+std::vector<bool> needed_lemmas(Cone& cone, const Known& known,
+                                std::int64_t conflicts,
+                                const Deadline& deadline);
+
 }  // namespace rung

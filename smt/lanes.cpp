@@ -20,9 +20,9 @@ void Lanes::set(const Word& leaves, std::uint32_t lane, std::int64_t value) {
   }
 }
 
-void Lanes::evaluate() {
+void Lanes::evaluate(std::uint32_t first) {
   values_.resize(aig_->size(), 0);
-  for (std::uint32_t node = 1; node < values_.size(); ++node) {
+  for (std::uint32_t node = first; node < values_.size(); ++node) {
     if (!aig_->is_gate(node)) continue;
     values_[node] = value(aig_->left(node)) & value(aig_->right(node));
   }

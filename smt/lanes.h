@@ -18,7 +18,8 @@ class Lanes {
   void set(AigLit leaf, std::uint64_t lanes);
   /// Writes a word's leaves of one lane; constant bits are left alone.
   void set(const Word& leaves, std::uint32_t lane, std::int64_t value);
-  void evaluate();
+  /// Gates from node `first` on: those before it must be up to date.
+  void evaluate(std::uint32_t first = 1);
 
   std::uint64_t value(AigLit a) const {
     return values_[aig_node(a)] ^ (aig_inverted(a) ? ~std::uint64_t{0} : 0);

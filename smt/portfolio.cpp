@@ -16,16 +16,17 @@ constexpr std::uint32_t kMinimiseQueries = 300;
 
 }  // namespace
 
-Portfolio::Portfolio(const TransitionSystem& ts,
-                     const std::vector<ExprId>& growth,
+Portfolio::Portfolio(TransitionSystem& ts, const std::vector<ExprId>& growth,
                      std::vector<Target*> targets,
                      const PortfolioOptions& options)
-    : targets_(std::move(targets)),
+    : ts_(ts),
+      targets_(std::move(targets)),
       options_(options),
       cone_(ts, terms(targets_)),
       jump_(cone_, growth) {
   for (std::size_t i = 0; i < targets_.size(); ++i) {
     if (targets_[i]->purpose != Target::Purpose::Fault) continue;
+    faults_.push_back(targets_[i]->term);
     fault_ = cone_.circuit().aig().disjunction(fault_, cone_.roots()[i]);
   }
 }
@@ -57,6 +58,13 @@ void Portfolio::structural() {
 }
 
 void Portfolio::induction(std::uint32_t k, bool all, std::int64_t conflicts) {
+  learn({}, k, all, conflicts);
+}
+
+/// Joint induction over the open targets (without `all`, over those hoped to
+/// be unreachable) and `lemmas`; what survives is known from then on.
+void Portfolio::learn(std::vector<Candidate> lemmas, std::uint32_t k, bool all,
+                      std::int64_t conflicts) {
   Candidates candidates;
   std::vector<std::size_t> of;
   for (std::size_t i = 0; i < targets_.size(); ++i) {
@@ -68,6 +76,9 @@ void Portfolio::induction(std::uint32_t k, bool all, std::int64_t conflicts) {
     of.push_back(i);
   }
   if (of.empty()) return;
+  for (const Candidate& lemma : lemmas) {
+    candidates.lemmas.push_back(lemma.signal);
+  }
   if (!prove_by_induction(cone_, known_, k, candidates, conflicts,
                           *options_.deadline)) {
     return;
@@ -77,14 +88,39 @@ void Portfolio::induction(std::uint32_t k, bool all, std::int64_t conflicts) {
       "induction k=3", "induction k=4", "induction k=5",
       "induction k=6", "induction k=7", "induction k=8"};
   bool any = false;
+  for (std::size_t i = 0; i < lemmas.size(); ++i) {
+    if (!candidates.lemma_holds[i]) continue;
+    known_.lemmas.push_back(lemmas[i].signal);
+    invariant_.lemmas.push_back(std::move(lemmas[i].clause));
+    any = true;
+  }
   for (std::size_t i = 0; i < of.size(); ++i) {
     if (!candidates.condition_holds[i]) continue;
     unreachable(of[i], kNames[std::min<std::uint32_t>(k, 8)]);
     any = true;
   }
-  if (!any) return;
-  known_.k = std::max(known_.k, k);
+  if (any) known_.k = std::max(known_.k, k);
   invariant_.k = known_.k;
+}
+
+/// Random runs: samples for the templates.
+void Portfolio::simulate(std::uint32_t steps) {
+  std::vector<std::int64_t> first = first_inputs(cone_, *options_.deadline);
+  if (first.empty() && !cone_.inputs().empty()) return;
+  simulation_ =
+      std::make_unique<Simulation>(cone_, &jump_, fault_, std::move(first));
+  templates_ = std::make_unique<Templates>(ts_, cone_, terms(targets_));
+  for (std::uint32_t i = 0; i < steps; ++i) {
+    simulation_->step();
+    templates_->sample(*simulation_);
+  }
+}
+
+void Portfolio::guess_lemmas() {
+  simulate(48);
+  if (templates_ == nullptr) return;
+  learn(templates_->candidates(), 0, true, 20000);
+  templates_.reset();
 }
 
 void Portfolio::found(Target& target, Run run) {
@@ -119,7 +155,7 @@ bool Portfolio::search_depth(std::int64_t conflicts) {
       return true;
     }
     Target& target = *of[result.target];
-    if (!reaches(cone_, result.run, target.term)) {
+    if (!reaches(cone_, result.run, target.term, faults_)) {
       // A stretch stood for scans that it is not: do without any.
       search_jumps_ = false;
       search_.reset();
@@ -142,17 +178,57 @@ void Portfolio::search(std::uint32_t depth, std::int64_t conflicts) {
   }
 }
 
+void Portfolio::property_directed(const PdrLimits& limits) {
+  if (signals_.empty()) signals_ = pdr_signals(ts_, cone_);
+  for (std::size_t i = 0; i < targets_.size() && !out_of_time(); ++i) {
+    Target& target = *targets_[i];
+    if (target.status != Target::Status::Open) continue;
+    PdrResult result = property_directed_reachability(
+        cone_, signals_, known_, cone_.roots()[i], limits, *options_.deadline);
+    const bool fault = target.purpose == Target::Purpose::Fault;
+    if (result.answer == PdrResult::Answer::Unreachable) {
+      for (LemmaClause& lemma : result.lemmas) {
+        known_.lemmas.push_back(signal_of(cone_, lemma));
+        invariant_.lemmas.push_back(std::move(lemma));
+      }
+      unreachable(i, "pdr");
+    } else if (result.answer == PdrResult::Answer::Reachable && !fault &&
+               reaches(cone_, result.run, target.term, faults_)) {
+      target.status = Target::Status::Reached;
+      target.engine = "pdr";
+      target.run = {cone_.inputs(), std::move(result.run)};
+    }
+  }
+}
+
+/// Leaves out lemmas that no proof needs.
+void Portfolio::minimise() {
+  if (invariant_.lemmas.empty()) return;
+  const std::vector<bool> needed =
+      needed_lemmas(cone_, known_, 20000, *options_.deadline);
+  std::vector<LemmaClause> kept;
+  for (std::size_t i = 0; i < needed.size(); ++i) {
+    if (needed[i]) kept.push_back(std::move(invariant_.lemmas[i]));
+  }
+  invariant_.lemmas = std::move(kept);
+}
+
 void Portfolio::run() {
   structural();
   if (uses("induction")) induction(0, false, 20000);
   if (uses("induction")) induction(1, false, 20000);
-  if (uses("bmc")) search(8, 20000);
+  if (uses("bmc")) search(8, 2000);
+  if (uses("pdr") && any_open()) property_directed({500, 1000});
+  if (uses("induction") && any_open()) guess_lemmas();
+  if (uses("pdr") && any_open()) property_directed({5000, 5000});
   if (uses("induction")) {
-    for (std::uint32_t k = 1; k <= 8 && any_open() && !out_of_time(); ++k) {
-      induction(k, true, 20000);
+    for (std::uint32_t k = 2; k <= 8 && any_open() && !out_of_time(); ++k) {
+      induction(k, true, 5000);
     }
   }
-  if (uses("bmc")) search(options_.max_depth, 100000);
+  if (uses("bmc")) search(options_.max_depth, 50000);
+  if (uses("pdr") && any_open()) property_directed({100000, 50000});
+  minimise();
 }
 
 }  // namespace rung

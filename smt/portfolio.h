@@ -11,7 +11,9 @@
 #include "smt/induction.h"
 #include "smt/invariant.h"
 #include "smt/jump.h"
+#include "smt/pdr.h"
 #include "smt/target.h"
+#include "smt/templates.h"
 
 namespace rung {
 
@@ -27,7 +29,7 @@ struct PortfolioOptions {
 class Portfolio {
  public:
   /// `targets` are those of the cone; they are decided in place.
-  Portfolio(const TransitionSystem& ts, const std::vector<ExprId>& growth,
+  Portfolio(TransitionSystem& ts, const std::vector<ExprId>& growth,
             std::vector<Target*> targets, const PortfolioOptions& options);
 
   void run();
@@ -44,17 +46,28 @@ class Portfolio {
   }
   void structural();
   void induction(std::uint32_t k, bool all, std::int64_t conflicts);
+  void simulate(std::uint32_t steps);
+  void guess_lemmas();
+  void learn(std::vector<Candidate> lemmas, std::uint32_t k, bool all,
+             std::int64_t conflicts);
+  void property_directed(const PdrLimits& limits);
+  void minimise();
   void search(std::uint32_t depth, std::int64_t conflicts);
   bool search_depth(std::int64_t conflicts);
   void found(Target& target, Run run);
   void unreachable(std::size_t i, std::string_view engine);
   bool out_of_time() const { return options_.deadline->passed(); }
 
+  TransitionSystem& ts_;
   std::vector<Target*> targets_;
   PortfolioOptions options_;
   Cone cone_;
   JumpCircuit jump_;
+  std::unique_ptr<Simulation> simulation_;
+  std::unique_ptr<Templates> templates_;
+  std::vector<PdrSignal> signals_;
   AigLit fault_ = kAigFalse;
+  std::vector<ExprId> faults_;
   std::unique_ptr<BoundedSearch> search_;
   bool search_jumps_ = true;
   std::uint32_t depth_ = 0;  // searched so far

@@ -78,10 +78,12 @@ Stimulus to_stimulus(const TransitionSystem& ts, const FoundRun& run) {
   return stimulus;
 }
 
-bool reaches(const Cone& cone, const Run& run, ExprId target) {
+bool reaches(const Cone& cone, const Run& run, ExprId target,
+             const std::vector<ExprId>& never) {
   const TransitionSystem& ts = cone.ts();
   std::vector<ExprId> roots = ts.constraints;
   roots.push_back(target);
+  roots.insert(roots.end(), never.begin(), never.end());
   Interpreter terms(ts, roots);
   bool allowed = true;
   const auto scan = [&] {
@@ -89,6 +91,7 @@ bool reaches(const Cone& cone, const Run& run, ExprId target) {
     for (ExprId constraint : ts.constraints) {
       allowed = allowed && terms.value(constraint) != 0;
     }
+    for (ExprId fault : never) allowed = allowed && terms.value(fault) == 0;
   };
   for (const RunStep& step : run) {
     for (std::size_t i = 0; i < cone.inputs().size(); ++i) {

@@ -29,8 +29,9 @@ std::uint64_t scan_count(const Run& run, const ScanInterval& scan);
 /// can, of at most two lengths. Inputs that the run does not name rest at 0.
 Stimulus to_stimulus(const TransitionSystem& ts, const FoundRun& run);
 
-/// Executes the terms scan by scan. Is `target` true at the end of the run, and
-/// did the constraints hold throughout?
-bool reaches(const Cone& cone, const Run& run, ExprId target);
+/// Executes the terms scan by scan. Is `target` true at the end of the run, did
+/// the constraints hold throughout, and none of `never`?
+bool reaches(const Cone& cone, const Run& run, ExprId target,
+             const std::vector<ExprId>& never = {});
 
 }  // namespace rung
