@@ -27,30 +27,23 @@ void BoundedSearch::extend(std::uint32_t depth) {
 
 BoundedSearch::Result BoundedSearch::search(std::uint32_t depth,
                                             const std::vector<AigLit>& targets,
-                                            const BmcLimits& limits) {
+                                            std::int64_t conflicts) {
   extend(depth);
-  std::vector<AigLit> goals;
+  goals_.clear();
   AigLit any = kAigFalse;
   for (AigLit target : targets) {
-    goals.push_back(copied(depth - 1, target));
-    any = frames_.aig().disjunction(any, goals.back());
+    goals_.push_back(copied(depth - 1, target));
+    any = frames_.aig().disjunction(any, goals_.back());
   }
   if (any == kAigFalse) return {};
   // Rewriting may have left a goal out of the cone of `any`.
-  for (AigLit goal : goals) clauses_.literal(goal);
+  for (AigLit goal : goals_) clauses_.literal(goal);
   sat_.assume(clauses_.literal(any));
-  const SatAnswer answer = sat_.solve(limits.conflicts);
+  const SatAnswer answer = sat_.solve(conflicts);
   if (answer == SatAnswer::Unsat) return {};
   if (answer == SatAnswer::Unknown) return {Answer::Unknown, 0, {}};
   Result result{Answer::Found, 0, decode(depth)};
-  while (!clauses_.value(goals[result.target])) ++result.target;
-  if (limits.minimise_queries == 0) return result;
-  best_ = std::move(result.run);
-  kept_ = {goals[result.target]};
-  std::uint32_t queries = limits.minimise_queries;
-  fewest_scans(depth, queries);
-  calmest_inputs(depth, queries);
-  result.run = std::move(best_);
+  while (!clauses_.value(goals_[result.target])) ++result.target;
   return result;
 }
 

@@ -10,11 +10,6 @@
 
 namespace rung {
 
-struct BmcLimits {
-  std::int64_t conflicts = -1;         // a query; < 0: none
-  std::uint32_t minimise_queries = 0;  // for each run found; 0: leave as found
-};
-
 /// Searches runs from power-up by their length in steps of a JumpCircuit.
 ///
 /// Source: Biere, Cimatti, Clarke, Zhu, "Symbolic Model Checking without
@@ -26,7 +21,7 @@ class BoundedSearch {
   BoundedSearch(Cone& cone, const JumpCircuit* jump, AigLit never,
                 const Deadline& deadline);
 
-  /// Searches for runs of exactly `depth` steps (from 1) at whose end a target
+  /// Searches for a run of exactly `depth` steps (from 1) at whose end a target
   /// holds, over the cone's step graph.
   enum class Answer : std::uint8_t { Found, None, Unknown };
   struct Result {
@@ -35,7 +30,10 @@ class BoundedSearch {
     Run run;
   };
   Result search(std::uint32_t depth, const std::vector<AigLit>& targets,
-                const BmcLimits& limits);
+                std::int64_t conflicts);
+  /// Makes the run just found the shortest and calmest of its depth, as far as
+  /// so many queries go.
+  void minimise(Result& result, std::uint32_t queries);
 
  private:
   void extend(std::uint32_t depth);
@@ -59,7 +57,8 @@ class BoundedSearch {
   Sat sat_;
   AigClauses clauses_;
   std::uint32_t extended_ = 0;
-  std::vector<AigLit> kept_;  // while minimising: what the run must meet
+  std::vector<AigLit> goals_;  // of the last search
+  std::vector<AigLit> kept_;   // while minimising: what the run must meet
   Run best_;
 };
 

@@ -12,6 +12,15 @@ constexpr std::int64_t kConflicts = 1000;  // a query of the minimisation
 
 }  // namespace
 
+void BoundedSearch::minimise(Result& result, std::uint32_t queries) {
+  const auto depth = static_cast<std::uint32_t>(result.run.size());
+  best_ = std::move(result.run);
+  kept_ = {goals_[result.target]};
+  fewest_scans(depth, queries);
+  calmest_inputs(depth, queries);
+  result.run = std::move(best_);
+}
+
 bool BoundedSearch::holds_with(AigLit more, std::int64_t conflicts) {
   for (AigLit literal : kept_) sat_.assume(clauses_.literal(literal));
   sat_.assume(clauses_.literal(more));

@@ -1,6 +1,7 @@
 #include "smt/portfolio.h"
 
 #include <algorithm>
+#include <bit>
 
 namespace rung {
 namespace {
@@ -13,6 +14,7 @@ std::vector<ExprId> terms(const std::vector<Target*>& targets) {
 
 /// Queries that make one run of the bounded search shorter and calmer.
 constexpr std::uint32_t kMinimiseQueries = 300;
+constexpr std::uint32_t kSimulated = 48;  // steps of random runs
 
 }  // namespace
 
@@ -31,15 +33,17 @@ Portfolio::Portfolio(TransitionSystem& ts, const std::vector<ExprId>& growth,
   }
 }
 
-bool Portfolio::open(Target::Purpose purpose) const {
-  return std::any_of(targets_.begin(), targets_.end(), [&](const Target* t) {
-    return t->purpose == purpose && t->status == Target::Status::Open;
+/// Targets that may be unreachable, for all that is known.
+bool Portfolio::any_doubtful() const {
+  return std::any_of(targets_.begin(), targets_.end(), [](const Target* t) {
+    return t->status == Target::Status::Open && !t->seen;
   });
 }
 
-bool Portfolio::any_open() const {
+bool Portfolio::any_to_search() const {
   return std::any_of(targets_.begin(), targets_.end(), [](const Target* t) {
-    return t->status == Target::Status::Open;
+    return t->status == Target::Status::Open &&
+           t->purpose != Target::Purpose::Fault;
   });
 }
 
@@ -71,7 +75,8 @@ void Portfolio::learn(std::vector<Candidate> lemmas, std::uint32_t k, bool all,
     const Target& target = *targets_[i];
     const bool hoped = target.purpose == Target::Purpose::Violation ||
                        target.purpose == Target::Purpose::Fault;
-    if (target.status != Target::Status::Open || !(hoped || all)) continue;
+    if (target.status != Target::Status::Open || target.seen) continue;
+    if (!hoped && !all) continue;
     candidates.conditions.push_back(aig_not(cone_.roots()[i]));
     of.push_back(i);
   }
@@ -103,7 +108,8 @@ void Portfolio::learn(std::vector<Candidate> lemmas, std::uint32_t k, bool all,
   invariant_.k = known_.k;
 }
 
-/// Random runs: samples for the templates.
+/// Random runs: what they meet is reachable, and they are the samples that
+/// templates are filtered by.
 void Portfolio::simulate(std::uint32_t steps) {
   std::vector<std::int64_t> first = first_inputs(cone_, *options_.deadline);
   if (first.empty() && !cone_.inputs().empty()) return;
@@ -113,11 +119,33 @@ void Portfolio::simulate(std::uint32_t steps) {
   for (std::uint32_t i = 0; i < steps; ++i) {
     simulation_->step();
     templates_->sample(*simulation_);
+    for (std::size_t t = 0; t < targets_.size(); ++t) {
+      const std::uint64_t hit = simulation_->value(cone_.roots()[t]);
+      if (hit == 0 || targets_[t]->seen) continue;
+      targets_[t]->seen = true;
+      const auto lane = static_cast<std::uint32_t>(std::countr_zero(hit));
+      seen_.push_back({t, lane, simulation_->steps()});
+    }
+  }
+}
+
+/// Runs of the simulation for what the bounded search found too hard.
+void Portfolio::take_seen() {
+  for (const Seen& seen : seen_) {
+    Target& target = *targets_[seen.target];
+    if (target.status != Target::Status::Open) continue;
+    if (target.purpose == Target::Purpose::Fault) continue;
+    Run run = simulation_->run(seen.lane);
+    run.resize(seen.steps);
+    run.back().delta = 0;
+    if (!reaches(cone_, run, target.term, faults_)) continue;
+    target.status = Target::Status::Reached;
+    target.engine = "simulation";
+    target.run = {cone_.inputs(), std::move(run)};
   }
 }
 
 void Portfolio::guess_lemmas() {
-  simulate(48);
   if (templates_ == nullptr) return;
   learn(templates_->candidates(), 0, true, 20000);
   templates_.reset();
@@ -146,8 +174,7 @@ bool Portfolio::search_depth(std::int64_t conflicts) {
       goals.push_back(cone_.roots()[i]);
       of.push_back(&target);
     }
-    BoundedSearch::Result result =
-        search_->search(depth, goals, {conflicts, kMinimiseQueries});
+    BoundedSearch::Result result = search_->search(depth, goals, conflicts);
     if (result.answer == BoundedSearch::Answer::Unknown) return false;
     if (result.answer == BoundedSearch::Answer::None) {
       for (Target* target : of) target->bound = depth;
@@ -155,6 +182,7 @@ bool Portfolio::search_depth(std::int64_t conflicts) {
       return true;
     }
     Target& target = *of[result.target];
+    if (!target.hidden) search_->minimise(result, kMinimiseQueries);
     if (!reaches(cone_, result.run, target.term, faults_)) {
       // A stretch stood for scans that it is not: do without any.
       search_jumps_ = false;
@@ -163,7 +191,7 @@ bool Portfolio::search_depth(std::int64_t conflicts) {
       return true;
     }
     found(target, std::move(result.run));
-    if (!any_open()) return true;
+    if (!any_to_search()) return true;
   }
 }
 
@@ -182,7 +210,7 @@ void Portfolio::property_directed(const PdrLimits& limits) {
   if (signals_.empty()) signals_ = pdr_signals(ts_, cone_);
   for (std::size_t i = 0; i < targets_.size() && !out_of_time(); ++i) {
     Target& target = *targets_[i];
-    if (target.status != Target::Status::Open) continue;
+    if (target.status != Target::Status::Open || target.seen) continue;
     PdrResult result = property_directed_reachability(
         cone_, signals_, known_, cone_.roots()[i], limits, *options_.deadline);
     const bool fault = target.purpose == Target::Purpose::Fault;
@@ -217,17 +245,18 @@ void Portfolio::run() {
   structural();
   if (uses("induction")) induction(0, false, 20000);
   if (uses("induction")) induction(1, false, 20000);
+  if (any_to_search()) simulate(kSimulated);
   if (uses("bmc")) search(8, 2000);
-  if (uses("pdr") && any_open()) property_directed({500, 1000});
-  if (uses("induction") && any_open()) guess_lemmas();
-  if (uses("pdr") && any_open()) property_directed({5000, 5000});
-  if (uses("induction")) {
-    for (std::uint32_t k = 2; k <= 8 && any_open() && !out_of_time(); ++k) {
-      induction(k, true, 5000);
-    }
+  if (uses("pdr") && any_doubtful()) property_directed({500, 1000});
+  if (uses("induction") && any_doubtful()) guess_lemmas();
+  if (uses("pdr") && any_doubtful()) property_directed({5000, 5000});
+  for (std::uint32_t k = 2; uses("induction") && k <= 8; ++k) {
+    if (any_doubtful() && !out_of_time()) induction(k, true, 5000);
   }
+  if (uses("bmc")) search(kSimulated, 5000);
+  if (uses("simulation")) take_seen();
   if (uses("bmc")) search(options_.max_depth, 50000);
-  if (uses("pdr") && any_open()) property_directed({100000, 50000});
+  if (uses("pdr") && any_doubtful()) property_directed({100000, 50000});
   minimise();
 }
 

@@ -39,14 +39,20 @@ class Portfolio {
   const Invariant& invariant() const { return invariant_; }
 
  private:
-  bool open(Target::Purpose purpose) const;
-  bool any_open() const;
+  struct Seen {  // of the simulation
+    std::size_t target;
+    std::uint32_t lane;
+    std::uint32_t steps;
+  };
+  bool any_doubtful() const;
+  bool any_to_search() const;
   bool uses(std::string_view engine) const {
     return options_.engine.empty() || options_.engine == engine;
   }
   void structural();
   void induction(std::uint32_t k, bool all, std::int64_t conflicts);
   void simulate(std::uint32_t steps);
+  void take_seen();
   void guess_lemmas();
   void learn(std::vector<Candidate> lemmas, std::uint32_t k, bool all,
              std::int64_t conflicts);
@@ -65,6 +71,7 @@ class Portfolio {
   JumpCircuit jump_;
   std::unique_ptr<Simulation> simulation_;
   std::unique_ptr<Templates> templates_;
+  std::vector<Seen> seen_;
   std::vector<PdrSignal> signals_;
   AigLit fault_ = kAigFalse;
   std::vector<ExprId> faults_;

@@ -10,17 +10,19 @@ class Asker {
   Asker(TransitionSystem& ts, std::vector<Target>& targets)
       : ts_(ts), targets_(targets) {}
 
-  std::size_t ask(ExprId term, Target::Purpose purpose) {
+  std::size_t ask(ExprId term, Target::Purpose purpose, bool hidden) {
     const auto [entry, is_new] = asked_.try_emplace(term, targets_.size());
     if (is_new) {
       Target target;
       target.term = term;
       target.never = ts_.exprs.negation(term);
       target.purpose = purpose;
+      target.hidden = true;
       targets_.push_back(std::move(target));
     }
     // A violation that is a trigger elsewhere is a violation.
     Target& target = targets_[entry->second];
+    target.hidden = target.hidden && hidden;
     if (purpose == Target::Purpose::Fault) target.purpose = purpose;
     if (purpose == Target::Purpose::Violation &&
         target.purpose != Target::Purpose::Fault) {
@@ -47,12 +49,13 @@ Questions make_questions(const Program& program, const PropertySet& properties,
     std::size_t trigger = Questions::kNone;
     const bool asked = obligation.undecided.empty();
     if (asked && obligation.goal == Goal::Reach) {
-      goal = asker.ask(obligation.condition, Target::Purpose::Witness);
+      goal = asker.ask(obligation.condition, Target::Purpose::Witness,
+                       obligation.built_in);
     } else if (asked) {
       goal = asker.ask(ts.exprs.negation(obligation.condition),
-                       Target::Purpose::Violation);
+                       Target::Purpose::Violation, false);
       if (obligation.trigger.has_value()) {
-        trigger = asker.ask(obligation.trigger, Target::Purpose::Trigger);
+        trigger = asker.ask(obligation.trigger, Target::Purpose::Trigger, true);
       }
     }
     questions.goal.push_back(goal);
@@ -60,7 +63,7 @@ Questions make_questions(const Program& program, const PropertySet& properties,
   }
   for (const Fault& fault : ts.faults) {
     questions.fault.push_back(
-        asker.ask(fault.condition, Target::Purpose::Fault));
+        asker.ask(fault.condition, Target::Purpose::Fault, true));
   }
   return questions;
 }

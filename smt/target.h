@@ -22,10 +22,13 @@ struct Target {
   ExprId term;
   ExprId never;  // its negation: what a proof shows of every scan
   Purpose purpose = Purpose::Violation;
+  /// Nobody sees the run, so it need not be the shortest and calmest.
+  bool hidden = false;
 
   Status status = Status::Open;
   std::string_view engine;  // that decided it
   FoundRun run;             // Reached
+  bool seen = false;        // Open: a random run reached it
   std::uint32_t bound = 0;  // Open: no run of so many scans reaches it
 };
 
