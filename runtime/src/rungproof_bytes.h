@@ -8,22 +8,24 @@
 #include <avr/pgmspace.h>
 #endif
 
+#include "rungproof_machine.h"
+
 namespace rungproof {
 
-inline uint8_t read8(const uint8_t* program, uint32_t at) {
+inline uint8_t read8(const uint8_t* program, Offset at) {
 #ifdef __AVR__
-  return pgm_read_byte(program + static_cast<uint16_t>(at));
+  return pgm_read_byte(program + at);
 #else
   return program[at];
 #endif
 }
 
-inline uint16_t read16(const uint8_t* program, uint32_t at) {
+inline uint16_t read16(const uint8_t* program, Offset at) {
   const uint16_t high = read8(program, at + 1);
   return static_cast<uint16_t>(read8(program, at) | (high << 8));
 }
 
-inline uint32_t read32(const uint8_t* program, uint32_t at) {
+inline uint32_t read32(const uint8_t* program, Offset at) {
   return read16(program, at) |
          (static_cast<uint32_t>(read16(program, at + 2)) << 16);
 }

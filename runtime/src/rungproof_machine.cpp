@@ -112,15 +112,15 @@ void Machine::reset() {
   fault_ = Fault::kNone;
   interval_held_ = true;
   if (program_ == nullptr) return;
-  for (uint32_t bit = 0; bit != layout_.bit_count; ++bit) {
+  for (uint16_t bit = 0; bit != layout_.bit_count; ++bit) {
     const uint8_t attribute = read8(program_, layout_.attributes + bit);
     bits_[bit] = (attribute & kInitialBit) != 0 ? 1 : 0;
   }
-  for (uint32_t word = 0; word != layout_.word_count; ++word) {
-    words_[word] =
-        to_signed(read32(program_, layout_.ranges + kRangeBytes * word));
+  for (uint16_t word = 0; word != layout_.word_count; ++word) {
+    words_[word] = to_signed(
+        read32(program_, layout_.ranges + Offset{kRangeBytes} * word));
   }
-  for (uint32_t slot = 0; slot != layout_.slot_count; ++slot) {
+  for (uint16_t slot = 0; slot != layout_.slot_count; ++slot) {
     slot_values_[slot] = 0;
     slot_flags_[slot] = 0;
   }
@@ -131,8 +131,8 @@ bool Machine::scan(uint32_t dt_ms) {
   if (dt_ms < scan_min_ || dt_ms > scan_max_) interval_held_ = false;
   // Every timer grows, also one that nothing has started: starting sets it to
   // 0. It stays at its end, so no preset is passed twice in 49 days.
-  for (uint32_t slot = 0; slot != layout_.slot_count; ++slot) {
-    const uint32_t at = layout_.slots + kSlotBytes * slot;
+  for (uint16_t slot = 0; slot != layout_.slot_count; ++slot) {
+    const Offset at = layout_.slots + Offset{kSlotBytes} * slot;
     if (!is_timer_kind(read8(program_, at))) continue;
     uint32_t& elapsed = slot_values_[slot];
     elapsed = dt_ms > kForever - elapsed ? kForever : elapsed + dt_ms;
@@ -297,7 +297,7 @@ void Machine::compare(uint8_t opcode) {
 }
 
 bool Machine::write_word(uint16_t word) {
-  const uint32_t at = layout_.ranges + kRangeBytes * uint32_t{word};
+  const Offset at = layout_.ranges + Offset{kRangeBytes} * word;
   const int32_t value = *--word_top_;
   if (value < to_signed(read32(program_, at + 4)) ||
       value > to_signed(read32(program_, at + 8))) {
@@ -392,8 +392,9 @@ bool Machine::count_sim(uint16_t slot, int32_t preset) {
 
 Role Machine::role(uint32_t cell) const {
   if (program_ == nullptr || cell >= cell_count()) return Role::kMemory;
-  return static_cast<Role>(read8(program_, layout_.attributes + cell) &
-                           kRoleMask);
+  return static_cast<Role>(
+      read8(program_, layout_.attributes + static_cast<Offset>(cell)) &
+      kRoleMask);
 }
 
 int32_t Machine::value(uint32_t cell) const {
@@ -411,8 +412,8 @@ bool Machine::set(uint32_t cell, int32_t value) {
     bits_[cell] = value != 0 ? 1 : 0;
     return true;
   }
-  const uint32_t word = cell - layout_.bit_count;
-  const uint32_t at = layout_.ranges + kRangeBytes * word;
+  const uint16_t word = static_cast<uint16_t>(cell - layout_.bit_count);
+  const Offset at = layout_.ranges + Offset{kRangeBytes} * word;
   const int32_t low = to_signed(read32(program_, at + 4));
   const int32_t high = to_signed(read32(program_, at + 8));
   words_[word] = value < low ? low : value > high ? high : value;
@@ -420,7 +421,7 @@ bool Machine::set(uint32_t cell, int32_t value) {
 }
 
 uint32_t Machine::find(const char* name) const {
-  uint32_t at = layout_.names;
+  Offset at = layout_.names;
   uint32_t cell = 0;
   for (; cell != cell_count(); ++cell) {
     const uint8_t size = read8(program_, at++);
@@ -437,7 +438,7 @@ uint32_t Machine::find(const char* name) const {
 
 uint8_t Machine::name(uint32_t cell, char* buffer, uint8_t size) const {
   if (program_ == nullptr || cell >= cell_count()) return 0;
-  uint32_t at = layout_.names;
+  Offset at = layout_.names;
   for (; cell != 0; --cell) at += 1U + read8(program_, at);
   const uint8_t length = read8(program_, at++);
   for (uint8_t byte = 0; byte != length && byte != size; ++byte) {

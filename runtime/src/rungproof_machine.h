@@ -59,15 +59,23 @@ enum class Fault : uint8_t {
 
 enum class Role : uint8_t { kInput = 0, kOutput = 1, kMemory = 2 };
 
+/// A position in a program. An array in flash is shorter than 64 KiB on AVR,
+/// and there 16-bit arithmetic takes half the code.
+#ifdef __AVR__
+typedef uint16_t Offset;
+#else
+typedef uint32_t Offset;
+#endif
+
 /// Where the parts of a program start, as byte offsets; and its counts.
 struct Layout {
-  uint32_t attributes;
-  uint32_t ranges;
-  uint32_t slots;
-  uint32_t code;
-  uint32_t names;
-  uint32_t notes;
-  uint32_t end;
+  Offset attributes;
+  Offset ranges;
+  Offset slots;
+  Offset code;
+  Offset names;
+  Offset notes;
+  Offset end;
   uint16_t bit_count;
   uint16_t word_count;
   uint16_t slot_count;
@@ -148,12 +156,12 @@ class Machine {
   uint8_t* bits_;
   uint8_t* slot_flags_;
   uint8_t* bit_stack_;
-  uint32_t pc_;
+  Offset pc_;
   int32_t* word_top_;  // one past the top
   uint8_t* bit_top_;
   uint32_t scan_min_;
   uint32_t scan_max_;
-  uint32_t refused_at_;
+  Offset refused_at_;
   Refusal refusal_;
   Fault fault_;
   bool interval_held_;

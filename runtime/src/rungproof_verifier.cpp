@@ -15,12 +15,15 @@ Layout read_layout(const uint8_t* program) {
   layout.branches = read16(program, kAtBranches);
   layout.attributes = kHeaderBytes;
   layout.ranges =
-      layout.attributes + uint32_t{layout.bit_count} + layout.word_count;
-  layout.slots = layout.ranges + uint32_t{kRangeBytes} * layout.word_count;
-  layout.code = layout.slots + uint32_t{kSlotBytes} * layout.slot_count;
-  layout.names = layout.code + read32(program, kAtCodeBytes);
-  layout.notes = layout.names + read32(program, kAtNameBytes);
-  layout.end = layout.notes + read32(program, kAtNoteBytes);
+      layout.attributes + Offset{layout.bit_count} + layout.word_count;
+  layout.slots = layout.ranges + Offset{kRangeBytes} * layout.word_count;
+  layout.code = layout.slots + Offset{kSlotBytes} * layout.slot_count;
+  layout.names =
+      layout.code + static_cast<Offset>(read32(program, kAtCodeBytes));
+  layout.notes =
+      layout.names + static_cast<Offset>(read32(program, kAtNameBytes));
+  layout.end =
+      layout.notes + static_cast<Offset>(read32(program, kAtNoteBytes));
   return layout;
 }
 
@@ -66,7 +69,8 @@ Refusal Verifier::verify() {
 // IEEE 802.3, bit by bit: a table costs flash and this runs once.
 uint32_t Verifier::checksum() const {
   uint32_t crc = 0xffffffffU;
-  for (uint32_t at = 0; at != length_; ++at) {
+  const Offset length = static_cast<Offset>(length_);
+  for (Offset at = 0; at != length; ++at) {
     if (at >= kAtChecksum && at < kAtChecksum + 4U) continue;
     crc ^= read8(program_, at);
     for (uint8_t bit = 0; bit != 8; ++bit) {
@@ -78,6 +82,7 @@ uint32_t Verifier::checksum() const {
 
 Refusal Verifier::check_header() {
   if (length_ < kHeaderBytes) return Refusal::kTooShort;
+  if (length_ > static_cast<Offset>(-1)) return Refusal::kNoMemory;
   if (read8(program_, 0) != kMagic0 || read8(program_, 1) != kMagic1 ||
       read8(program_, 2) != kMagic2 || read8(program_, 3) != kMagic3) {
     return Refusal::kBadMagic;
@@ -103,10 +108,13 @@ Refusal Verifier::check_header() {
 Refusal Verifier::check_sections() {
   at_ = kAtBits;
   layout_ = read_layout(program_);
-  // The first three sections are short enough never to overflow a sum.
+  // The first three sections are short enough never to overflow 32 bits.
+  const uint32_t tables = kHeaderBytes + uint32_t{layout_.bit_count} +
+                          (1 + uint32_t{kRangeBytes}) * layout_.word_count +
+                          uint32_t{kSlotBytes} * layout_.slot_count;
   uint32_t rest = length_;
-  if (rest < layout_.code) return Refusal::kBadSections;
-  rest -= layout_.code;
+  if (rest < tables) return Refusal::kBadSections;
+  rest -= tables;
   for (uint8_t field = kAtCodeBytes; field <= kAtNoteBytes; field += 4) {
     at_ = field;
     const uint32_t size = read32(program_, field);
@@ -145,8 +153,8 @@ Refusal Verifier::check_slots() {
 
 Refusal Verifier::check_names() {
   at_ = layout_.names;
-  const uint32_t cells = layout_.ranges - layout_.attributes;
-  for (uint32_t cell = 0; cell != cells; ++cell) {
+  const Offset cells = layout_.ranges - layout_.attributes;
+  for (Offset cell = 0; cell != cells; ++cell) {
     if (at_ == layout_.notes) return Refusal::kBadName;
     const uint8_t size = read8(program_, at_);
     if (size == 0 || layout_.notes - at_ <= size) return Refusal::kBadName;
@@ -164,10 +172,10 @@ Refusal Verifier::check_notes() {
   at_ = layout_.notes;
   while (at_ != layout_.end) {
     if (layout_.end - at_ < 2) return Refusal::kBadNote;
-    const uint32_t size = read16(program_, at_);
+    const uint16_t size = read16(program_, at_);
     at_ += 2;
     if (size == 0 || layout_.end - at_ < size) return Refusal::kBadNote;
-    for (uint32_t left = size; left != 0; --left, ++at_) {
+    for (uint16_t left = size; left != 0; --left, ++at_) {
       const uint8_t byte = read8(program_, at_);
       const bool blank = byte == ' ' || byte == '\t';
       const bool edge = left == size || left == 1;
@@ -202,7 +210,7 @@ Refusal Verifier::close_skips() {
     const uint32_t* skip = pending_ + 2 * (open_ - 1);
     if (skip[0] > pc_) break;
     if (skip[0] != pc_) return Refusal::kBadSkip;
-    if (skip[1] != ((bits_ << 16) | words_)) return Refusal::kBadSkip;
+    if (skip[1] != depths()) return Refusal::kBadSkip;
     --open_;
     constant_ = 0;
   }
@@ -212,12 +220,12 @@ Refusal Verifier::close_skips() {
 Refusal Verifier::effect(uint8_t bits_in, uint8_t words_in, uint8_t bits_out,
                          uint8_t words_out) {
   // What a skip jumps over leaves alone what lies below.
-  uint32_t bit_floor = 0;
-  uint32_t word_floor = 0;
+  Depth bit_floor = 0;
+  Depth word_floor = 0;
   if (open_ != 0) {
-    const uint32_t depths = pending_[2 * (open_ - 1) + 1];
-    bit_floor = (depths >> 16) - 1;
-    word_floor = depths & 0xffffU;
+    const uint32_t below = pending_[2 * (open_ - 1) + 1];
+    bit_floor = static_cast<Depth>(below >> 16) - 1;
+    word_floor = static_cast<Depth>(below & 0xffffU);
   }
   if (bits_ - bit_floor < bits_in || words_ - word_floor < words_in) {
     return Refusal::kStackUnderflow;
@@ -246,7 +254,7 @@ Refusal Verifier::instruction() {
                          opcode == kWriteWord;
   if (addressed) {
     if (!has(wide ? 2 : 1)) return Refusal::kBadEnd;
-    const uint32_t address =
+    const uint16_t address =
         wide ? read16(program_, pc_) : read8(program_, pc_);
     pc_ += wide ? 2 : 1;
     constant_ = 0;
@@ -259,17 +267,17 @@ Refusal Verifier::instruction() {
   return opcode < kWide ? bit_instruction(opcode) : word_instruction(opcode);
 }
 
-Refusal Verifier::address_instruction(uint8_t opcode, uint32_t address) {
+Refusal Verifier::address_instruction(uint8_t opcode, uint16_t address) {
   const bool word = opcode == kReadWord || opcode == kWriteWord;
   if (address >= (word ? layout_.word_count : layout_.bit_count)) {
     return Refusal::kBadAddress;
   }
   if (opcode == kReadBit) return effect(0, 0, 1, 0);
   if (opcode == kReadWord) return effect(0, 0, 0, 1);
-  return write(word ? layout_.bit_count + address : address, word);
+  return write(word ? Offset{layout_.bit_count} + address : address, word);
 }
 
-Refusal Verifier::write(uint32_t cell, bool word) {
+Refusal Verifier::write(Offset cell, bool word) {
   if (open_ != 0) return Refusal::kBadSkip;
   const Refusal refusal = word ? effect(0, 1, 0, 0) : effect(1, 0, 0, 0);
   if (refusal != Refusal::kNone) return refusal;
@@ -280,14 +288,15 @@ Refusal Verifier::write(uint32_t cell, bool word) {
              : Refusal::kNone;
 }
 
-Refusal Verifier::element(uint8_t opcode, uint32_t slot) {
+Refusal Verifier::element(uint8_t opcode, uint16_t slot) {
   const ElementShape shape = element_shape(opcode);
   if (shape.parameter) {
     if (!has(4)) return Refusal::kBadEnd;
     pc_ += 4;
   }
   if (slot >= layout_.slot_count) return Refusal::kBadElement;
-  if (read8(program_, layout_.slots + kSlotBytes * slot) != shape.kind) {
+  if (read8(program_, layout_.slots + Offset{kSlotBytes} * slot) !=
+      shape.kind) {
     return Refusal::kBadElement;
   }
   return effect(shape.operands, 0, 1, 0);
@@ -318,19 +327,19 @@ Refusal Verifier::skip() {
     return Refusal::kStrictSkip;
   }
   if (!has(2)) return Refusal::kBadEnd;
-  const uint32_t offset = read16(program_, pc_);
+  const uint16_t offset = read16(program_, pc_);
   pc_ += 2;
   if (offset >= layout_.names - pc_) return Refusal::kBadSkip;
-  const uint32_t target = pc_ + offset;
+  const Offset target = pc_ + offset;
   if (open_ != 0 && target > pending_[2 * (open_ - 1)]) {
     return Refusal::kBadSkip;
   }
-  const uint32_t depths = (bits_ << 16) | words_;
+  const uint32_t below = depths();
   const Refusal refusal = effect(1, 0, 0, 0);
   if (refusal != Refusal::kNone) return refusal;
   if (open_ == layout_.branches) return Refusal::kWrongDepth;
   pending_[2 * open_] = target;
-  pending_[2 * open_ + 1] = depths;
+  pending_[2 * open_ + 1] = below;
   ++open_;
   if (open_ > most_open_) most_open_ = open_;
   return Refusal::kNone;

@@ -6,6 +6,10 @@
 
 namespace rungproof {
 
+/// A stack's depth: one more than the 65535 that a header can claim, where
+/// memory for that many exists.
+typedef Offset Depth;
+
 /// The header's counts and section starts, without any check.
 Layout read_layout(const uint8_t* program);
 
@@ -32,33 +36,36 @@ class Verifier {
 
   Refusal close_skips();
   Refusal instruction();
-  Refusal address_instruction(uint8_t opcode, uint32_t address);
-  Refusal element(uint8_t opcode, uint32_t slot);
+  Refusal address_instruction(uint8_t opcode, uint16_t address);
+  Refusal element(uint8_t opcode, uint16_t slot);
   Refusal bit_instruction(uint8_t opcode);
   Refusal word_instruction(uint8_t opcode);
   Refusal push(uint8_t opcode);
   Refusal skip();
-  Refusal write(uint32_t cell, bool word);
+  Refusal write(Offset cell, bool word);
   Refusal end();
   Refusal effect(uint8_t bits_in, uint8_t words_in, uint8_t bits_out,
                  uint8_t words_out);
   uint32_t checksum() const;
-  bool has(uint32_t bytes) const { return layout_.names - pc_ >= bytes; }
+  uint32_t depths() const {
+    return (static_cast<uint32_t>(bits_) << 16) | words_;
+  }
+  bool has(uint8_t bytes) const { return layout_.names - pc_ >= bytes; }
 
   const uint8_t* program_;
   uint32_t length_;
   uint32_t* pending_;
   uint32_t memory_words_;
   Layout layout_;
-  uint32_t at_;
+  Offset at_;
   // The walk over the code: both stacks' depths at pc_, on every path.
-  uint32_t pc_;
-  uint32_t bits_;
-  uint32_t words_;
-  uint32_t open_;  // skips whose target lies ahead
-  uint32_t most_bits_;
-  uint32_t most_words_;
-  uint32_t most_open_;
+  Offset pc_;
+  Depth bits_;
+  Depth words_;
+  Depth open_;  // skips whose target lies ahead
+  Depth most_bits_;
+  Depth most_words_;
+  Depth most_open_;
   int32_t constant_;  // the word that the instruction before pushed, or 0
   bool ended_;
 };
