@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <array>
 #include <string>
 #include <utility>
@@ -34,6 +35,7 @@ class CodeLister {
     std::uint32_t node = 0;
     std::uint32_t calls_before = 0;  // in the rung, before this operand's first
     std::uint32_t branch = kNoBranch;  // the Skip in code_ that follows it
+    Bounds bounds;                     // of a word
   };
 
   void fail(SourceRange where, std::string message) {
@@ -44,6 +46,7 @@ class CodeLister {
   bool list_rung(const Rung& rung) {
     operands_.clear();
     calls_ = 0;
+    overflow_ = {};
     if (rung.begin >= rung.end || rung.end > program_.nodes.size()) {
       return false;
     }
@@ -57,6 +60,7 @@ class CodeLister {
         target.role == CellRole::Input) {
       return false;
     }
+    note_faults(rung);
     code_.push_back({.kind = target.type == Type::Bit
                                  ? Instruction::Kind::WriteBit
                                  : Instruction::Kind::WriteWord,
@@ -131,9 +135,44 @@ class CodeLister {
     }
     const std::uint32_t before =
         count == 0 ? calls_ : operands_[first].calls_before;
+    const Bounds bounds = find_bounds(at, count);
     operands_.resize(first);
-    operands_.push_back({.node = at, .calls_before = before});
+    operands_.push_back({.node = at, .calls_before = before, .bounds = bounds});
     return true;
+  }
+
+  Bounds find_bounds(std::uint32_t at, std::size_t count) {
+    const Node& node = program_.nodes[at];
+    if (node.type == Type::Bit) return {};
+    if (node.op == NodeOp::Constant) return {node.value, node.value};
+    if (node.op == NodeOp::Read) {
+      return {program_.cells[node.cell].low, program_.cells[node.cell].high};
+    }
+    const Bounds left = operands_[operands_.size() - count].bounds;
+    Bounds bounds = bounds_of(node.op, left, operands_.back().bounds);
+    if (!bounds.within(kWordMin, kWordMax)) {
+      overflow_ = node.where;
+      bounds.low = std::max(bounds.low, kWordMin);
+      bounds.high = std::min(bounds.high, kWordMax);
+    }
+    return bounds;
+  }
+
+  // The program computes with exact integers; the machine does not go on with
+  // a wrong one.
+  void note_faults(const Rung& rung) {
+    const Cell& target = program_.cells[rung.target];
+    const bool leaves = target.type == Type::Word &&
+                        !operands_[0].bounds.within(target.low, target.high);
+    if (!overflow_.has_value() && !leaves) return;
+    sink_.report(
+        {.code = "RP086",
+         .severity = Severity::Note,
+         .where = overflow_.has_value() ? overflow_ : rung.where,
+         .message = overflow_.has_value()
+                        ? "this may leave 32 bits: the machine then stops"
+                        : "the value may leave the range of `" + target.name +
+                              "`: the machine then stops"});
   }
 
   bool list_operator(std::uint32_t at, Opcode opcode) {
@@ -251,10 +290,36 @@ class CodeLister {
   std::vector<Instruction>& code_;
   std::vector<Operand> operands_;
   std::uint32_t calls_ = 0;
+  SourceRange overflow_;  // in the rung
   bool failed_ = false;
 };
 
 }  // namespace
+
+Bounds bounds_of(NodeOp op, Bounds left, Bounds right) {
+  if (op == NodeOp::Add) {
+    return {left.low + right.low, left.high + right.high};
+  }
+  if (op == NodeOp::Subtract) {
+    return {left.low - right.high, left.high - right.low};
+  }
+  if (op == NodeOp::Negate) return {-left.high, -left.low};
+  if (op == NodeOp::Multiply) {
+    const auto [low, high] =
+        std::minmax({left.low * right.low, left.low * right.high,
+                     left.high * right.low, left.high * right.high});
+    return {low, high};
+  }
+  if (op == NodeOp::Divide) {  // by a constant
+    const auto [low, high] =
+        std::minmax({left.low / right.low, left.high / right.low});
+    return {low, high};
+  }
+  if (op == NodeOp::Wrap16 && !left.within(-0x8000, 0x7fff)) {
+    return {-0x8000, 0x7fff};
+  }
+  return op == NodeOp::ToWord ? Bounds{0, 1} : left;
+}
 
 bool list_code(const Program& program,
                const std::vector<std::uint32_t>& address, DiagnosticSink& sink,

@@ -26,6 +26,7 @@ class Lister {
  private:
   void fail(SourceRange where, std::string message) {
     failed_ = true;
+    if (!where.has_value()) where = {program_.file, 0, 0};
     report_inexpressible(sink_, where, std::move(message));
   }
 
@@ -111,6 +112,7 @@ class Lister {
     if (program_.plant.statements.empty()) return;
     sink_.report({.code = "RP085",
                   .severity = Severity::Note,
+                  .where = {program_.file, 0, 0},
                   .message = "the plant (`//Sim`) is left out: it is no part "
                              "of a controller's program"});
   }

@@ -39,10 +39,16 @@ class CodeWriter {
       : listing_(listing), sink_(sink) {}
 
   bool run() {
-    for (const Instruction& instruction : listing_.code) write(instruction);
+    for (const Instruction& instruction : listing_.code) {
+      const std::size_t most = most_bits + most_words + most_open;
+      write(instruction);
+      if (most_bits + most_words + most_open > most) {
+        deepest_ = instruction.where;
+      }
+    }
     append(code, Opcode::End);
     if (most_bits > 0xffff || most_words > 0xffff || most_open > 0xffff) {
-      fail({}, "an expression is nested more than 65535 deep");
+      fail(deepest_, "an expression is nested more than 65535 deep");
     }
     return !failed_;
   }
@@ -89,7 +95,6 @@ class CodeWriter {
         append(code, instruction.opcode);
         append(code, 0, 2);  // filled in where it lands
         open_.push_back(code.size());
-        most_open = std::max(most_open, open_.size());
         return take(1, 0, 0, 0);
       case Kind::Joined:
         return land(instruction);
@@ -138,6 +143,7 @@ class CodeWriter {
     words_ = words_ - words_in + words_out;
     most_bits = std::max(most_bits, bits_);
     most_words = std::max(most_words, words_);
+    most_open = std::max(most_open, open_.size());
   }
 
   const postfix::Listing& listing_;
@@ -145,6 +151,7 @@ class CodeWriter {
   std::vector<std::size_t> open_;  // where each open skip's instruction ends
   std::size_t bits_ = 0;
   std::size_t words_ = 0;
+  SourceRange deepest_;  // where a stack was last deeper than before
   bool failed_ = false;
 };
 
