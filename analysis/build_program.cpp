@@ -14,7 +14,6 @@ namespace rung {
 namespace {
 
 using build::ExpressionBuilder;
-using build::Fraction;
 using build::NameClass;
 using build::Symbol;
 using build::SymbolTable;

@@ -55,7 +55,7 @@ constexpr std::array<std::uint8_t, 128> kFirstSymbol = [] {
   std::array<std::uint8_t, 128> first = {};
   first.fill(kSymbols.size());
   for (std::size_t i = kSymbols.size(); i-- > 0;) {
-    first[static_cast<std::size_t>(kSymbols[i].text[0])] =
+    first[static_cast<unsigned char>(kSymbols[i].text[0])] =
         static_cast<std::uint8_t>(i);
   }
   return first;
@@ -94,6 +94,18 @@ bool is_hex_digit(char c) {
   return is_digit(c) || (c >= 'a' && c <= 'f') || (c >= 'A' && c <= 'F');
 }
 bool is_line_end(char c) { return c == '\n' || c == '\r'; }
+
+/// Bytes of a space or line end at the begin of `text`. No-break spaces and
+/// byte order marks come with text pasted from a page; Javascript takes them
+/// as spaces too.
+std::size_t blank_length(std::string_view text) {
+  if (text.empty()) return 0;
+  const char c = text[0];
+  if (c == ' ' || c == '\t' || c == '\f' || is_line_end(c)) return 1;
+  if (is_ascii(c)) return 0;
+  if (text.starts_with("\u00a0")) return 2;
+  return text.starts_with("\ufeff") ? 3 : 0;
+}
 
 std::size_t count_digits(std::string_view text) {
   const auto* end = std::find_if_not(text.begin(), text.end(), is_digit);
@@ -198,26 +210,11 @@ void Lexer::add(TokenKind kind, std::size_t length) {
   at_ += length;
 }
 
-/// Spaces, and those that come with text pasted from a page: no-break space
-/// and byte order mark, which Javascript takes as spaces too.
 bool Lexer::skip_blank() {
   const std::size_t before = at_;
-  while (at_ < out_.text.size()) {
-    const char c = out_.text[at_];
-    if (is_line_end(c)) {
-      starts_line_ = true;
-      ++at_;
-    } else if (c == ' ' || c == '\t' || c == '\f') {
-      ++at_;
-    } else if (is_ascii(c)) {
-      break;
-    } else if (rest().starts_with("\u00a0")) {
-      at_ += 2;
-    } else if (rest().starts_with("\ufeff")) {
-      at_ += 3;
-    } else {
-      break;
-    }
+  while (const std::size_t length = blank_length(rest())) {
+    starts_line_ = starts_line_ || is_line_end(out_.text[at_]);
+    at_ += length;
   }
   return at_ != before;
 }

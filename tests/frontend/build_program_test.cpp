@@ -381,7 +381,7 @@ TEST(BuildProgram, MessagesNameWhatTheyMean) {
 
 TEST(BuildProgram, DepthCostsNoStack) {
   std::string text = "y0=";
-  constexpr std::size_t kDeep = 200'000;
+  constexpr std::size_t kDeep = 100'000;
   for (std::size_t i = 0; i < kDeep; ++i) text += "ORN(!y1,y2,";
   text += "y3";
   text.append(kDeep, ')');

