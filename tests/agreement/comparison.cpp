@@ -7,6 +7,7 @@
 #include "analysis/program.h"
 #include "analysis/simulator.h"
 #include "analysis/transition_system.h"
+#include "machine_run.h"
 #include "program_generator.h"
 #include "random_run.h"
 #include "ts_interpreter.h"
@@ -56,6 +57,8 @@ class Comparer {
   void run() {
     Simulator simulator(program_);
     TsInterpreter interpreter(ts_);
+    MachineRun machine(program_, result_.difference);
+    if (!result_.difference.empty()) return;
     for (const StimulusStep& step : stimulus_.steps) {
       set_inputs(ts_, stimulus_, step, interpreter);
       for (std::size_t i = 0; i < step.inputs.size(); ++i) {
@@ -66,6 +69,7 @@ class Comparer {
         interpreter.step();
         if (faulted(ts_, interpreter)) return;
         compare_scan(simulator, interpreter);
+        compare_machine(machine, step, simulator);
         if (!result_.difference.empty()) return;
         ++result_.scans;
       }
@@ -104,6 +108,15 @@ class Comparer {
     if (result_.difference.empty()) {
       result_.difference = interpreter.broken_bound();
     }
+  }
+
+  void compare_machine(MachineRun& machine, const StimulusStep& step,
+                       const Simulator& simulator) {
+    const std::string what = machine.scan(stimulus_, step, simulator);
+    if (!machine.stopped()) ++result_.machine_scans;
+    if (what.empty() || !result_.difference.empty()) return;
+    result_.difference =
+        "scan " + std::to_string(result_.scans + 1) + ": " + what;
   }
 
   void compare_calls(const Simulator& simulator,

@@ -10,8 +10,8 @@ namespace {
 
 class PropertyGenerator {
  public:
-  PropertyGenerator(const Program& program, Tape& tape)
-      : program_(program), tape_(tape) {
+  PropertyGenerator(const Program& program, Tape& tape, PropertyTimes times)
+      : program_(program), tape_(tape), times_(times) {
     for (const Cell& cell : program.cells) {
       (cell.type == Type::Bit ? bits_ : words_).push_back(cell.name);
       const bool input = cell.role == CellRole::Input;
@@ -64,7 +64,8 @@ class PropertyGenerator {
   std::string milliseconds() {
     constexpr std::array<std::string_view, 6> kTimes = {"0",  "10", "20",
                                                         "25", "70", "200"};
-    return std::string(kTimes[tape_.pick(6)]) + " ms";
+    const std::uint32_t count = times_ == PropertyTimes::Short ? 4 : 6;
+    return std::string(kTimes[tape_.pick(count)]) + " ms";
   }
 
   std::string element() {
@@ -72,7 +73,8 @@ class PropertyGenerator {
         tape_.pick(static_cast<std::uint32_t>(program_.instances.size())))];
     constexpr std::array<std::string_view, 6> kOperators = {
         "<", ">", "==", "!=", "<=", ">="};
-    if (tape_.pick(2) == 0) return instance.name + ".q";
+    const std::uint32_t choice = tape_.pick(4);
+    if (choice < 2) return instance.name + (choice == 0 ? ".q" : ".fired");
     const bool timer = instance.kind->family == ElementFamily::Timer;
     return "(" + instance.name + (timer ? ".elapsed " : ".value ") +
            std::string(kOperators[tape_.pick(6)]) + " " +
@@ -135,6 +137,7 @@ class PropertyGenerator {
 
   const Program& program_;
   Tape& tape_;
+  PropertyTimes times_;
   std::vector<std::string> bits_;
   std::vector<std::string> words_;
   std::vector<std::string> inputs_;
@@ -143,12 +146,14 @@ class PropertyGenerator {
 
 }  // namespace
 
-std::string generate_property(const Program& program, Tape& tape) {
-  return "//@ " + PropertyGenerator(program, tape).property() + "\n";
+std::string generate_property(const Program& program, Tape& tape,
+                              PropertyTimes times) {
+  return "//@ " + PropertyGenerator(program, tape, times).property() + "\n";
 }
 
 std::string generate_assumption(const Program& program, Tape& tape) {
-  const std::string text = PropertyGenerator(program, tape).assumption();
+  const std::string text =
+      PropertyGenerator(program, tape, PropertyTimes::Short).assumption();
   return text.empty() ? "" : "//@ assume " + text + "\n";
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <string>
 
 #include "analysis/program.h"
@@ -7,9 +8,13 @@
 
 namespace rung {
 
+/// Times of property lines.
+enum class PropertyTimes : std::uint8_t { Short, Long };  // to 30, to 200 ms
+
 /// One property line (with `//@ ` and a line end) over the names of `program`:
 /// every form, with prev, begin, rose, fell, once, and T(0).q and its like.
-std::string generate_property(const Program& program, Tape& tape);
+std::string generate_property(const Program& program, Tape& tape,
+                              PropertyTimes times);
 
 /// An `//@ assume` line over its bit inputs; empty when it has none.
 std::string generate_assumption(const Program& program, Tape& tape);

@@ -67,7 +67,9 @@ Outcome check(const std::vector<std::uint32_t>& numbers) {
   if (!bare) return outcome;
   outcome.text = generated.text;
   std::string lines;
-  for (int i = 0; i < 4; ++i) lines += generate_property(bare->program, tape);
+  for (int i = 0; i < 4; ++i) {
+    lines += generate_property(bare->program, tape, PropertyTimes::Long);
+  }
   if (tape.pick(2) == 1) lines += generate_assumption(bare->program, tape);
   outcome.text = lines + outcome.text;
   const auto read = read_program(generated.dialect, outcome.text, error);

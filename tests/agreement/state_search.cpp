@@ -1,0 +1,116 @@
+#include "state_search.h"
+
+#include <algorithm>
+#include <cassert>
+#include <string>
+#include <unordered_set>
+#include <utility>
+
+#include "ts_interpreter.h"
+
+namespace rung {
+namespace {
+
+using StateValues = std::vector<std::int64_t>;
+
+class Search {
+ public:
+  Search(const TransitionSystem& ts, const std::vector<Obligation>& obligations)
+      : ts_(ts), obligations_(obligations), interpreter_(ts) {
+    result_.decided_at.resize(obligations.size(), 0);
+    for (const Obligation& obligation : obligations) {
+      result_.triggered.push_back(!obligation.trigger.has_value());
+    }
+    for (const VarId id : ids_of(ts.vars)) {
+      const Variable& var = ts.vars[id];
+      assert(var.role != VarRole::Input || var.type == Type::Bit);
+      const bool bit =
+          var.role == VarRole::Input || var.role == VarRole::Choice;
+      if (bit) bits_.push_back(id);
+    }
+  }
+
+  StateSearch run(std::size_t max_states) {
+    StateValues initial;
+    for (const State& state : ts_.states) initial.push_back(state.init);
+    add(initial);
+    std::uint64_t scan = 0;
+    while (!next_.empty()) {
+      if (seen_.size() > max_states) return result_;
+      ++scan;
+      const std::vector<StateValues> frontier = std::exchange(next_, {});
+      for (const StateValues& state : frontier) visit(state, scan);
+    }
+    result_.complete = true;
+    return result_;
+  }
+
+ private:
+  void add(const StateValues& state) {
+    const auto* const bytes = reinterpret_cast<const char*>(state.data());
+    if (seen_.emplace(bytes, state.size() * sizeof(state[0])).second) {
+      next_.push_back(state);
+    }
+  }
+
+  void visit(const StateValues& state, std::uint64_t scan) {
+    for (std::int64_t dt = ts_.scan.min_ms; dt <= ts_.scan.max_ms; ++dt) {
+      for (std::uint32_t inputs = 0; inputs < 1U << bits_.size(); ++inputs) {
+        step(state, dt, inputs);
+        const bool allowed = std::all_of(
+            ts_.constraints.begin(), ts_.constraints.end(),
+            [this](ExprId term) { return interpreter_.value(term) != 0; });
+        if (!allowed) continue;
+        result_.runs = true;
+        judge(scan);
+        StateValues after;
+        for (std::uint32_t i = 0; i < ts_.states.size(); ++i) {
+          after.push_back(interpreter_.state(i));
+        }
+        add(after);
+      }
+    }
+  }
+
+  void step(const StateValues& state, std::int64_t dt, std::uint32_t inputs) {
+    for (std::uint32_t i = 0; i < state.size(); ++i) {
+      interpreter_.set_state(i, state[i]);
+    }
+    interpreter_.set(ts_.dt, dt);
+    for (std::size_t i = 0; i < bits_.size(); ++i) {
+      interpreter_.set(bits_[i], inputs >> i & 1);
+    }
+    interpreter_.step();
+  }
+
+  void judge(std::uint64_t scan) {
+    for (std::size_t i = 0; i < obligations_.size(); ++i) {
+      const Obligation& obligation = obligations_[i];
+      const bool holds = interpreter_.value(obligation.condition) != 0;
+      const bool decides = holds == (obligation.goal == Goal::Reach);
+      if (decides && result_.decided_at[i] == 0) result_.decided_at[i] = scan;
+      if (!result_.triggered[i] &&
+          interpreter_.value(obligation.trigger) != 0) {
+        result_.triggered[i] = true;
+      }
+    }
+  }
+
+  const TransitionSystem& ts_;
+  const std::vector<Obligation>& obligations_;
+  TsInterpreter interpreter_;
+  std::vector<VarId> bits_;
+  std::unordered_set<std::string> seen_;  // the values' bytes
+  std::vector<StateValues> next_;
+  StateSearch result_;
+};
+
+}  // namespace
+
+StateSearch search_states(const TransitionSystem& ts,
+                          const std::vector<Obligation>& obligations,
+                          std::size_t max_states) {
+  return Search(ts, obligations).run(max_states);
+}
+
+}  // namespace rung

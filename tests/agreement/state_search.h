@@ -1,0 +1,28 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "analysis/obligation.h"
+#include "analysis/transition_system.h"
+
+namespace rung {
+
+/// Every reachable state of a small system, one by one: what engines say can
+/// be held against it.
+struct StateSearch {
+  /// By obligation: scans of a shortest run at whose end an invariant's
+  /// condition is false, or a reach obligation's true; 0 when no run has one.
+  std::vector<std::uint64_t> decided_at;
+  /// By obligation: its trigger holds at some scan's end; true without one.
+  std::vector<bool> triggered;
+  bool runs = false;      // some scan meets the assumptions
+  bool complete = false;  // not given up at `max_states`
+};
+
+/// Preconditions: no word inputs.
+StateSearch search_states(const TransitionSystem& ts,
+                          const std::vector<Obligation>& obligations,
+                          std::size_t max_states);
+
+}  // namespace rung
