@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <limits>
 #include <unordered_map>
 #include <utility>
 
@@ -102,19 +101,17 @@ class PropertyReader {
   }
 
   void set_range(const Statement& statement, Cell& cell) {
-    using Limits = std::numeric_limits<std::int16_t>;
-    using WideLimits = std::numeric_limits<std::int32_t>;
     if (cell.type == Type::Bit) {
       return fail("RP067", statement.line.where,
                   "`" + cell.name + "` is a bit and has no range");
     }
-    const bool wide = program_.dialect == "sim";
-    const std::int64_t low = wide ? WideLimits::min() : Limits::min();
-    const std::int64_t high = wide ? WideLimits::max() : Limits::max();
-    if (statement.low < low || statement.high > high) {
+    // Only narrower: where arithmetic wraps or is refused was decided when the
+    // program was built, by the range that the cell had then.
+    if (statement.low < cell.low || statement.high > cell.high) {
       return fail("RP065", statement.line.where,
-                  "the range leaves " + std::to_string(low) + ".." +
-                      std::to_string(high) + ", the range of a word");
+                  "the range leaves " + std::to_string(cell.low) + ".." +
+                      std::to_string(cell.high) + ", the range of `" +
+                      cell.name + "`");
     }
     cell.low = statement.low;
     cell.high = statement.high;

@@ -221,7 +221,10 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"input IW0 in 0..", "RP065 [] a whole number is expected here"},
         Case{"input IW0 in 0..9999999999",
              "RP065 [input IW0 in 0..9999999999] the range leaves "
-             "-2147483648..2147483647, the range of a word"}));
+             "-32768..32767, the range of `IW0`"},
+        Case{"input IW0 in 0..32768",
+             "RP065 [input IW0 in 0..32768] the range leaves "
+             "-32768..32767, the range of `IW0`"}));
 
 INSTANTIATE_TEST_SUITE_P(
     Formulas, Refused,
