@@ -81,7 +81,7 @@ std::string refusal_of(const std::string& bytes) {
   const rungproof::Refusal refusal =
       machine.begin(program, length, memory.data(),
                     static_cast<std::uint32_t>(memory.size()));
-  if (refusal == rungproof::Refusal::kNone) return {};
+  if (refusal == rungproof::Refusal::None) return {};
   return fmt::format("the machine refuses it ({}) at byte {}",
                      static_cast<int>(refusal), machine.refused_at());
 }

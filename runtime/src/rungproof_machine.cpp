@@ -11,7 +11,8 @@ const int32_t kWordMax = 0x7fffffff;
 const int32_t kWordMin = -kWordMax - 1;
 const uint32_t kForever = 0xffffffffU;
 
-enum : uint8_t { kFlag0 = 1, kFlag1 = 2 };
+const uint8_t kFlag0 = 1;
+const uint8_t kFlag1 = 2;
 
 bool header_present(const uint8_t* program, uint32_t length) {
   return length >= kHeaderBytes && read8(program, 0) == kMagic0 &&
@@ -75,8 +76,8 @@ Machine::Machine()
       scan_min_(0),
       scan_max_(0),
       refused_at_(0),
-      refusal_(Refusal::kTooShort),
-      fault_(Fault::kNone),
+      refusal_(Refusal::TooShort),
+      fault_(Fault::None),
       interval_held_(true) {}
 
 uint32_t Machine::memory_words(const uint8_t* program, uint32_t length) {
@@ -91,7 +92,7 @@ Refusal Machine::begin(const uint8_t* program, uint32_t length,
   layout_ = Layout();
   refusal_ = verifier.verify();
   refused_at_ = verifier.at();
-  if (refusal_ != Refusal::kNone) return refusal_;
+  if (refusal_ != Refusal::None) return refusal_;
 
   program_ = program;
   layout_ = read_layout(program);
@@ -109,7 +110,7 @@ Refusal Machine::begin(const uint8_t* program, uint32_t length,
 }
 
 void Machine::reset() {
-  fault_ = Fault::kNone;
+  fault_ = Fault::None;
   interval_held_ = true;
   if (program_ == nullptr) return;
   for (uint16_t bit = 0; bit != layout_.bit_count; ++bit) {
@@ -127,7 +128,7 @@ void Machine::reset() {
 }
 
 bool Machine::scan(uint32_t dt_ms) {
-  if (program_ == nullptr || fault_ != Fault::kNone) return false;
+  if (program_ == nullptr || fault_ != Fault::None) return false;
   if (dt_ms < scan_min_ || dt_ms > scan_max_) interval_held_ = false;
   // Every timer grows, also one that nothing has started: starting sets it to
   // 0. It stays at its end, so no preset is passed twice in 49 days.
@@ -265,7 +266,7 @@ bool Machine::arithmetic(uint8_t opcode) {
       if (ok) left /= right;
     }
   }
-  if (!ok) fault_ = Fault::kOverflow;
+  if (!ok) fault_ = Fault::Overflow;
   return ok;
 }
 
@@ -301,7 +302,7 @@ bool Machine::write_word(uint16_t word) {
   const int32_t value = *--word_top_;
   if (value < to_signed(read32(program_, at + 4)) ||
       value > to_signed(read32(program_, at + 8))) {
-    fault_ = Fault::kRange;
+    fault_ = Fault::Range;
     return false;
   }
   words_[word] = value;
@@ -377,7 +378,7 @@ bool Machine::count_sim(uint16_t slot, int32_t preset) {
     if (up && (flags & kFlag0) == 0) ++change;
     if (down && (flags & kFlag1) == 0) --change;
     if (!add(count, change, count)) {
-      fault_ = Fault::kOverflow;
+      fault_ = Fault::Overflow;
       return false;
     }
     result = count == preset;
@@ -391,7 +392,7 @@ bool Machine::count_sim(uint16_t slot, int32_t preset) {
 }
 
 Role Machine::role(uint32_t cell) const {
-  if (program_ == nullptr || cell >= cell_count()) return Role::kMemory;
+  if (program_ == nullptr || cell >= cell_count()) return Role::Memory;
   return static_cast<Role>(
       read8(program_, layout_.attributes + static_cast<Offset>(cell)) &
       kRoleMask);
@@ -405,7 +406,7 @@ int32_t Machine::value(uint32_t cell) const {
 
 bool Machine::set(uint32_t cell, int32_t value) {
   if (program_ == nullptr || cell >= cell_count() ||
-      role(cell) != Role::kInput) {
+      role(cell) != Role::Input) {
     return false;
   }
   if (cell < layout_.bit_count) {

@@ -7,7 +7,7 @@
 //   static uint32_t memory[64];
 //   rungproof::Machine machine;
 //   if (machine.begin(program, sizeof program, memory, 64) !=
-//       rungproof::Refusal::kNone) { ... }     // machine.refusal() says why
+//       rungproof::Refusal::None) { ... }     // machine.refusal() says why
 //   loop: machine.set(input, sample); ...      // for every input
 //         if (!machine.scan(elapsed_ms)) ...   // outputs to their safe state
 //         use machine.value(output);
@@ -22,42 +22,42 @@ namespace rungproof {
 
 /// Why a program is refused. The numbers are part of the format.
 enum class Refusal : uint8_t {
-  kNone = 0,
-  kTooShort = 1,         // fewer bytes than a header
-  kBadMagic = 2,         // no postfix binary
-  kBadVersion = 3,       // of a format that this machine does not know
-  kBadLength = 4,        // the header's length is not the number of bytes
-  kBadChecksum = 5,      // CRC-32
-  kBadHeader = 6,        // unknown flag or dialect, or no scan interval
-  kBadSections = 7,      // the sections do not fill the program exactly
-  kBadCell = 8,          // attributes, or a range without its initial value
-  kBadSlot = 9,          // unknown element kind, or an index below 0
-  kBadName = 10,         // names do not match the cells, or hold bad bytes
-  kBadNote = 11,         // property lines do not fill their section
-  kBadOpcode = 12,       // no such instruction
-  kBadEnd = 13,          // code stops inside an instruction or does not end
-  kNotShortest = 14,     // an operand that a shorter instruction holds
-  kBadAddress = 15,      // no such cell
-  kBadElement = 16,      // no such slot, or a slot of another kind
-  kWritesInput = 17,     // a rung's target is an input
-  kStackUnderflow = 18,  // an operand is missing
-  kStackNotEmpty = 19,   // a rung leaves a value behind, or is not finished
-  kBadSkip = 20,         // a skip out of its rung, into an instruction, across
-                         // another, or between unequal stacks
-  kStrictSkip = 21,      // a skip in a program of strict evaluation
-  kBadDivisor = 22,      // the divisor is not a constant other than zero
-  kWrongDepth = 23,      // claimed stack or skip depth is not the one computed
-  kNoMemory = 24,        // the caller's memory is too small
+  None = 0,
+  TooShort = 1,         // fewer bytes than a header
+  BadMagic = 2,         // no postfix binary
+  BadVersion = 3,       // of a format that this machine does not know
+  BadLength = 4,        // the header's length is not the number of bytes
+  BadChecksum = 5,      // CRC-32
+  BadHeader = 6,        // unknown flag or dialect, or no scan interval
+  BadSections = 7,      // the sections do not fill the program exactly
+  BadCell = 8,          // attributes, or a range without its initial value
+  BadSlot = 9,          // unknown element kind, or an index below 0
+  BadName = 10,         // names do not match the cells, or hold bad bytes
+  BadNote = 11,         // property lines do not fill their section
+  BadOpcode = 12,       // no such instruction
+  BadEnd = 13,          // code stops inside an instruction or does not end
+  NotShortest = 14,     // an operand that a shorter instruction holds
+  BadAddress = 15,      // no such cell
+  BadElement = 16,      // no such slot, or a slot of another kind
+  WritesInput = 17,     // a rung's target is an input
+  StackUnderflow = 18,  // an operand is missing
+  StackNotEmpty = 19,   // a rung leaves a value behind, or is not finished
+  BadSkip = 20,         // a skip out of its rung, into an instruction, across
+                        // another, or between unequal stacks
+  StrictSkip = 21,      // a skip in a program of strict evaluation
+  BadDivisor = 22,      // the divisor is not a constant other than zero
+  WrongDepth = 23,      // claimed stack or skip depth is not the one computed
+  NoMemory = 24,        // the caller's memory is too small
 };
 
 /// Why scan() stopped. The machine then stays stopped until reset().
 enum class Fault : uint8_t {
-  kNone = 0,
-  kOverflow = 1,  // a word or a counter would leave 32 bits
-  kRange = 2,     // a word cell would leave its range
+  None = 0,
+  Overflow = 1,  // a word or a counter would leave 32 bits
+  Range = 2,     // a word cell would leave its range
 };
 
-enum class Role : uint8_t { kInput = 0, kOutput = 1, kMemory = 2 };
+enum class Role : uint8_t { Input = 0, Output = 1, Memory = 2 };
 
 /// A position in a program. An array in flash is shorter than 64 KiB on AVR,
 /// and there 16-bit arithmetic takes half the code.
@@ -118,7 +118,7 @@ class Machine {
   uint32_t scan_max_ms() const { return scan_max_; }
 
   /// Cells are numbered from 0, the bits first. Numbers past the end: role is
-  /// kMemory, value 0, and set() does nothing.
+  /// Memory, value 0, and set() does nothing.
   uint32_t bit_count() const { return layout_.bit_count; }
   uint32_t cell_count() const {
     return static_cast<uint32_t>(layout_.bit_count) + layout_.word_count;

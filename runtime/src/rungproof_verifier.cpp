@@ -57,12 +57,12 @@ Verifier::Verifier(const uint8_t* program, uint32_t length, uint32_t* memory,
 
 Refusal Verifier::verify() {
   Refusal refusal = check_header();
-  if (refusal == Refusal::kNone) refusal = check_sections();
-  if (refusal == Refusal::kNone) refusal = check_cells();
-  if (refusal == Refusal::kNone) refusal = check_slots();
-  if (refusal == Refusal::kNone) refusal = check_names();
-  if (refusal == Refusal::kNone) refusal = check_notes();
-  if (refusal == Refusal::kNone) refusal = check_code();
+  if (refusal == Refusal::None) refusal = check_sections();
+  if (refusal == Refusal::None) refusal = check_cells();
+  if (refusal == Refusal::None) refusal = check_slots();
+  if (refusal == Refusal::None) refusal = check_names();
+  if (refusal == Refusal::None) refusal = check_notes();
+  if (refusal == Refusal::None) refusal = check_code();
   return refusal;
 }
 
@@ -81,28 +81,28 @@ uint32_t Verifier::checksum() const {
 }
 
 Refusal Verifier::check_header() {
-  if (length_ < kHeaderBytes) return Refusal::kTooShort;
-  if (length_ > static_cast<Offset>(-1)) return Refusal::kNoMemory;
+  if (length_ < kHeaderBytes) return Refusal::TooShort;
+  if (length_ > static_cast<Offset>(-1)) return Refusal::NoMemory;
   if (read8(program_, 0) != kMagic0 || read8(program_, 1) != kMagic1 ||
       read8(program_, 2) != kMagic2 || read8(program_, 3) != kMagic3) {
-    return Refusal::kBadMagic;
+    return Refusal::BadMagic;
   }
   at_ = kAtVersion;
-  if (read16(program_, at_) != kVersion) return Refusal::kBadVersion;
+  if (read16(program_, at_) != kVersion) return Refusal::BadVersion;
   at_ = kAtLength;
-  if (read32(program_, at_) != length_) return Refusal::kBadLength;
+  if (read32(program_, at_) != length_) return Refusal::BadLength;
   at_ = kAtChecksum;
-  if (read32(program_, at_) != checksum()) return Refusal::kBadChecksum;
+  if (read32(program_, at_) != checksum()) return Refusal::BadChecksum;
   at_ = kAtFlags;
-  if (read8(program_, at_) > kFlagShortCircuit) return Refusal::kBadHeader;
+  if (read8(program_, at_) > kFlagShortCircuit) return Refusal::BadHeader;
   at_ = kAtDialect;
-  if (read8(program_, at_) >= kDialects) return Refusal::kBadHeader;
+  if (read8(program_, at_) >= kDialects) return Refusal::BadHeader;
   at_ = kAtScanMin;
   const uint32_t scan_max = read32(program_, kAtScanMax);
   if (scan_max > 0x7fffffffU || read32(program_, at_) > scan_max) {
-    return Refusal::kBadHeader;
+    return Refusal::BadHeader;
   }
-  return Refusal::kNone;
+  return Refusal::None;
 }
 
 Refusal Verifier::check_sections() {
@@ -113,77 +113,77 @@ Refusal Verifier::check_sections() {
                           (1 + uint32_t{kRangeBytes}) * layout_.word_count +
                           uint32_t{kSlotBytes} * layout_.slot_count;
   uint32_t rest = length_;
-  if (rest < tables) return Refusal::kBadSections;
+  if (rest < tables) return Refusal::BadSections;
   rest -= tables;
   for (uint8_t field = kAtCodeBytes; field <= kAtNoteBytes; field += 4) {
     at_ = field;
     const uint32_t size = read32(program_, field);
-    if (size > rest) return Refusal::kBadSections;
+    if (size > rest) return Refusal::BadSections;
     rest -= size;
   }
-  if (rest != 0) return Refusal::kBadSections;
-  return words_needed(layout_) <= memory_words_ ? Refusal::kNone
-                                                : Refusal::kNoMemory;
+  if (rest != 0) return Refusal::BadSections;
+  return words_needed(layout_) <= memory_words_ ? Refusal::None
+                                                : Refusal::NoMemory;
 }
 
 Refusal Verifier::check_cells() {
   for (at_ = layout_.attributes; at_ != layout_.ranges; ++at_) {
     const uint8_t attribute = read8(program_, at_);
     const bool word = at_ - layout_.attributes >= layout_.bit_count;
-    if ((attribute & ~kAttributeMask) != 0) return Refusal::kBadCell;
-    if ((attribute & kRoleMask) == kRoleMask) return Refusal::kBadCell;
-    if (word && (attribute & kInitialBit) != 0) return Refusal::kBadCell;
+    if ((attribute & ~kAttributeMask) != 0) return Refusal::BadCell;
+    if ((attribute & kRoleMask) == kRoleMask) return Refusal::BadCell;
+    if (word && (attribute & kInitialBit) != 0) return Refusal::BadCell;
   }
   for (; at_ != layout_.slots; at_ += kRangeBytes) {
     const int32_t initial = to_signed(read32(program_, at_));
     const int32_t low = to_signed(read32(program_, at_ + 4));
     const int32_t high = to_signed(read32(program_, at_ + 8));
-    if (initial < low || initial > high) return Refusal::kBadCell;
+    if (initial < low || initial > high) return Refusal::BadCell;
   }
-  return Refusal::kNone;
+  return Refusal::None;
 }
 
 Refusal Verifier::check_slots() {
   for (at_ = layout_.slots; at_ != layout_.code; at_ += kSlotBytes) {
-    if (!is_element_kind(read8(program_, at_))) return Refusal::kBadSlot;
-    if (read32(program_, at_ + 1) > 0x7fffffffU) return Refusal::kBadSlot;
+    if (!is_element_kind(read8(program_, at_))) return Refusal::BadSlot;
+    if (read32(program_, at_ + 1) > 0x7fffffffU) return Refusal::BadSlot;
   }
-  return Refusal::kNone;
+  return Refusal::None;
 }
 
 Refusal Verifier::check_names() {
   at_ = layout_.names;
   const Offset cells = layout_.ranges - layout_.attributes;
   for (Offset cell = 0; cell != cells; ++cell) {
-    if (at_ == layout_.notes) return Refusal::kBadName;
+    if (at_ == layout_.notes) return Refusal::BadName;
     const uint8_t size = read8(program_, at_);
-    if (size == 0 || layout_.notes - at_ <= size) return Refusal::kBadName;
+    if (size == 0 || layout_.notes - at_ <= size) return Refusal::BadName;
     for (uint8_t left = size; left != 0; --left) {
       const uint8_t byte = read8(program_, ++at_);
       // What a quoted name of the text form cannot hold.
-      if (byte < 0x20 || byte == '"' || byte == 0x7f) return Refusal::kBadName;
+      if (byte < 0x20 || byte == '"' || byte == 0x7f) return Refusal::BadName;
     }
     ++at_;
   }
-  return at_ == layout_.notes ? Refusal::kNone : Refusal::kBadName;
+  return at_ == layout_.notes ? Refusal::None : Refusal::BadName;
 }
 
 Refusal Verifier::check_notes() {
   at_ = layout_.notes;
   while (at_ != layout_.end) {
-    if (layout_.end - at_ < 2) return Refusal::kBadNote;
+    if (layout_.end - at_ < 2) return Refusal::BadNote;
     const uint16_t size = read16(program_, at_);
     at_ += 2;
-    if (size == 0 || layout_.end - at_ < size) return Refusal::kBadNote;
+    if (size == 0 || layout_.end - at_ < size) return Refusal::BadNote;
     for (uint16_t left = size; left != 0; --left, ++at_) {
       const uint8_t byte = read8(program_, at_);
       const bool blank = byte == ' ' || byte == '\t';
       const bool edge = left == size || left == 1;
-      if (blank && edge) return Refusal::kBadNote;  // notes are trimmed
-      if ((byte < 0x20 && !blank) || byte == 0x7f) return Refusal::kBadNote;
+      if (blank && edge) return Refusal::BadNote;  // notes are trimmed
+      if ((byte < 0x20 && !blank) || byte == 0x7f) return Refusal::BadNote;
     }
   }
-  return Refusal::kNone;
+  return Refusal::None;
 }
 
 // One pass in address order sees every path: skips only go forward, and where
@@ -193,28 +193,27 @@ Refusal Verifier::check_code() {
   while (!ended_) {
     at_ = pc_;
     Refusal refusal = close_skips();
-    if (refusal == Refusal::kNone) refusal = instruction();
-    if (refusal != Refusal::kNone) return refusal;
+    if (refusal == Refusal::None) refusal = instruction();
+    if (refusal != Refusal::None) return refusal;
   }
   at_ = kAtBitStack;
   if (most_bits_ != layout_.bit_stack || most_words_ != layout_.word_stack ||
       most_open_ != layout_.branches) {
-    return Refusal::kWrongDepth;
+    return Refusal::WrongDepth;
   }
-  return Refusal::kNone;
+  return Refusal::None;
 }
 
-// pending_ holds, for each open skip, its target and both depths before it.
 Refusal Verifier::close_skips() {
   while (open_ != 0) {
-    const uint32_t* skip = pending_ + 2 * (open_ - 1);
+    const uint32_t* skip = pending(open_ - 1);
     if (skip[0] > pc_) break;
-    if (skip[0] != pc_) return Refusal::kBadSkip;
-    if (skip[1] != depths()) return Refusal::kBadSkip;
+    if (skip[0] != pc_) return Refusal::BadSkip;
+    if (skip[1] != depths()) return Refusal::BadSkip;
     --open_;
     constant_ = 0;
   }
-  return Refusal::kNone;
+  return Refusal::None;
 }
 
 Refusal Verifier::effect(uint8_t bits_in, uint8_t words_in, uint8_t bits_out,
@@ -223,29 +222,29 @@ Refusal Verifier::effect(uint8_t bits_in, uint8_t words_in, uint8_t bits_out,
   Depth bit_floor = 0;
   Depth word_floor = 0;
   if (open_ != 0) {
-    const uint32_t below = pending_[2 * (open_ - 1) + 1];
+    const uint32_t below = pending(open_ - 1)[1];
     bit_floor = static_cast<Depth>(below >> 16) - 1;
     word_floor = static_cast<Depth>(below & 0xffffU);
   }
   if (bits_ - bit_floor < bits_in || words_ - word_floor < words_in) {
-    return Refusal::kStackUnderflow;
+    return Refusal::StackUnderflow;
   }
   bits_ = bits_ - bits_in + bits_out;
   words_ = words_ - words_in + words_out;
   if (bits_ > layout_.bit_stack || words_ > layout_.word_stack) {
-    return Refusal::kWrongDepth;
+    return Refusal::WrongDepth;
   }
   if (bits_ > most_bits_) most_bits_ = bits_;
   if (words_ > most_words_) most_words_ = words_;
-  return Refusal::kNone;
+  return Refusal::None;
 }
 
 Refusal Verifier::instruction() {
-  if (!has(1)) return Refusal::kBadEnd;
+  if (!has(1)) return Refusal::BadEnd;
   uint8_t opcode = read8(program_, pc_++);
   const bool wide = opcode == kWide;
   if (wide) {
-    if (!has(1)) return Refusal::kBadEnd;
+    if (!has(1)) return Refusal::BadEnd;
     opcode = read8(program_, pc_++);
   }
   const bool element_opcode = element_shape(opcode).kind != 0;
@@ -253,16 +252,16 @@ Refusal Verifier::instruction() {
                          opcode == kWriteBit || opcode == kReadWord ||
                          opcode == kWriteWord;
   if (addressed) {
-    if (!has(wide ? 2 : 1)) return Refusal::kBadEnd;
+    if (!has(wide ? 2 : 1)) return Refusal::BadEnd;
     const uint16_t address =
         wide ? read16(program_, pc_) : read8(program_, pc_);
     pc_ += wide ? 2 : 1;
     constant_ = 0;
-    if (wide && address < 0x100) return Refusal::kNotShortest;
+    if (wide && address < 0x100) return Refusal::NotShortest;
     return element_opcode ? element(opcode, address)
                           : address_instruction(opcode, address);
   }
-  if (wide) return Refusal::kBadOpcode;
+  if (wide) return Refusal::BadOpcode;
   if (opcode == kEnd) return end();
   return opcode < kWide ? bit_instruction(opcode) : word_instruction(opcode);
 }
@@ -270,7 +269,7 @@ Refusal Verifier::instruction() {
 Refusal Verifier::address_instruction(uint8_t opcode, uint16_t address) {
   const bool word = opcode == kReadWord || opcode == kWriteWord;
   if (address >= (word ? layout_.word_count : layout_.bit_count)) {
-    return Refusal::kBadAddress;
+    return Refusal::BadAddress;
   }
   if (opcode == kReadBit) return effect(0, 0, 1, 0);
   if (opcode == kReadWord) return effect(0, 0, 0, 1);
@@ -278,26 +277,26 @@ Refusal Verifier::address_instruction(uint8_t opcode, uint16_t address) {
 }
 
 Refusal Verifier::write(Offset cell, bool word) {
-  if (open_ != 0) return Refusal::kBadSkip;
+  if (open_ != 0) return Refusal::BadSkip;
   const Refusal refusal = word ? effect(0, 1, 0, 0) : effect(1, 0, 0, 0);
-  if (refusal != Refusal::kNone) return refusal;
-  if (bits_ != 0 || words_ != 0) return Refusal::kStackNotEmpty;
+  if (refusal != Refusal::None) return refusal;
+  if (bits_ != 0 || words_ != 0) return Refusal::StackNotEmpty;
   const uint8_t attribute = read8(program_, layout_.attributes + cell);
-  return (attribute & kRoleMask) == static_cast<uint8_t>(Role::kInput)
-             ? Refusal::kWritesInput
-             : Refusal::kNone;
+  return (attribute & kRoleMask) == static_cast<uint8_t>(Role::Input)
+             ? Refusal::WritesInput
+             : Refusal::None;
 }
 
 Refusal Verifier::element(uint8_t opcode, uint16_t slot) {
   const ElementShape shape = element_shape(opcode);
   if (shape.parameter) {
-    if (!has(4)) return Refusal::kBadEnd;
+    if (!has(4)) return Refusal::BadEnd;
     pc_ += 4;
   }
-  if (slot >= layout_.slot_count) return Refusal::kBadElement;
+  if (slot >= layout_.slot_count) return Refusal::BadElement;
   if (read8(program_, layout_.slots + Offset{kSlotBytes} * slot) !=
       shape.kind) {
-    return Refusal::kBadElement;
+    return Refusal::BadElement;
   }
   return effect(shape.operands, 0, 1, 0);
 }
@@ -318,38 +317,38 @@ Refusal Verifier::bit_instruction(uint8_t opcode) {
     case kSkipTrue:
       return skip();
     default:
-      return Refusal::kBadOpcode;
+      return Refusal::BadOpcode;
   }
 }
 
 Refusal Verifier::skip() {
   if ((read8(program_, kAtFlags) & kFlagShortCircuit) == 0) {
-    return Refusal::kStrictSkip;
+    return Refusal::StrictSkip;
   }
-  if (!has(2)) return Refusal::kBadEnd;
+  if (!has(2)) return Refusal::BadEnd;
   const uint16_t offset = read16(program_, pc_);
   pc_ += 2;
-  if (offset >= layout_.names - pc_) return Refusal::kBadSkip;
+  if (offset >= layout_.names - pc_) return Refusal::BadSkip;
   const Offset target = pc_ + offset;
-  if (open_ != 0 && target > pending_[2 * (open_ - 1)]) {
-    return Refusal::kBadSkip;
+  if (open_ != 0 && target > *pending(open_ - 1)) {
+    return Refusal::BadSkip;
   }
   const uint32_t below = depths();
   const Refusal refusal = effect(1, 0, 0, 0);
-  if (refusal != Refusal::kNone) return refusal;
-  if (open_ == layout_.branches) return Refusal::kWrongDepth;
-  pending_[2 * open_] = target;
-  pending_[2 * open_ + 1] = below;
+  if (refusal != Refusal::None) return refusal;
+  if (open_ == layout_.branches) return Refusal::WrongDepth;
+  pending(open_)[0] = target;
+  pending(open_)[1] = below;
   ++open_;
   if (open_ > most_open_) most_open_ = open_;
-  return Refusal::kNone;
+  return Refusal::None;
 }
 
 Refusal Verifier::word_instruction(uint8_t opcode) {
   if (opcode == kPush8 || opcode == kPush16 || opcode == kPush32) {
     return push(opcode);
   }
-  if (opcode == kDivide && constant_ == 0) return Refusal::kBadDivisor;
+  if (opcode == kDivide && constant_ == 0) return Refusal::BadDivisor;
   constant_ = 0;
   switch (opcode) {
     case kAdd:
@@ -372,23 +371,23 @@ Refusal Verifier::word_instruction(uint8_t opcode) {
     case kGreaterEqual:
       return effect(0, 2, 1, 0);
     default:
-      return Refusal::kBadOpcode;
+      return Refusal::BadOpcode;
   }
 }
 
 Refusal Verifier::push(uint8_t opcode) {
   const uint8_t bytes = opcode == kPush8 ? 1 : opcode == kPush16 ? 2 : 4;
-  if (!has(bytes)) return Refusal::kBadEnd;
+  if (!has(bytes)) return Refusal::BadEnd;
   if (bytes == 1) {
     const int32_t byte = read8(program_, pc_);
     constant_ = byte < 0x80 ? byte : byte - 0x100;
   } else if (bytes == 2) {
     constant_ = to_signed16(read16(program_, pc_));
-    if (constant_ >= -0x80 && constant_ < 0x80) return Refusal::kNotShortest;
+    if (constant_ >= -0x80 && constant_ < 0x80) return Refusal::NotShortest;
   } else {
     constant_ = to_signed(read32(program_, pc_));
     if (constant_ >= -0x8000L && constant_ < 0x8000L) {
-      return Refusal::kNotShortest;
+      return Refusal::NotShortest;
     }
   }
   pc_ += bytes;
@@ -396,10 +395,10 @@ Refusal Verifier::push(uint8_t opcode) {
 }
 
 Refusal Verifier::end() {
-  if (open_ != 0) return Refusal::kBadSkip;
-  if (bits_ != 0 || words_ != 0) return Refusal::kStackNotEmpty;
+  if (open_ != 0) return Refusal::BadSkip;
+  if (bits_ != 0 || words_ != 0) return Refusal::StackNotEmpty;
   ended_ = true;
-  return pc_ == layout_.names ? Refusal::kNone : Refusal::kBadEnd;
+  return pc_ == layout_.names ? Refusal::None : Refusal::BadEnd;
 }
 
 }  // namespace rungproof

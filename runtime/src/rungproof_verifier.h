@@ -2,6 +2,8 @@
 #ifndef RUNGPROOF_VERIFIER_H
 #define RUNGPROOF_VERIFIER_H
 
+#include <stddef.h>
+
 #include "rungproof_machine.h"
 
 namespace rungproof {
@@ -50,6 +52,8 @@ class Verifier {
   uint32_t depths() const {
     return (static_cast<uint32_t>(bits_) << 16) | words_;
   }
+  /// An open skip: its target, and both depths before it.
+  uint32_t* pending(Depth skip) const { return pending_ + size_t{2} * skip; }
   bool has(uint8_t bytes) const { return layout_.names - pc_ >= bytes; }
 
   const uint8_t* program_;

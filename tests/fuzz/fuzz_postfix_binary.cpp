@@ -57,7 +57,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data,
   const bool accepted =
       machine.begin(bytes.data(), length, memory.data(),
                     static_cast<std::uint32_t>(memory.size())) ==
-      rungproof::Refusal::kNone;
+      rungproof::Refusal::None;
   const rung::Disassembly text = rung::disassemble_postfix(file);
   if (text.has_value() && !accepted) std::abort();
   // Refused by the reader alone: for a reason that the format has no number of.

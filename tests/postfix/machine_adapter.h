@@ -74,7 +74,7 @@ class MachineRun {
     // address sanitizer sees.
     memory_.resize(words);
     if (machine_.begin(bytes_.data(), length, memory_.data(), words) !=
-        rungproof::Refusal::kNone) {
+        rungproof::Refusal::None) {
       error_ = "refusal " +
                std::to_string(static_cast<int>(machine_.refusal())) +
                " at byte " + std::to_string(machine_.refused_at());

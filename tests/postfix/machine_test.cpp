@@ -123,7 +123,7 @@ TEST(PostfixMachine, StopsWhereAWordWouldLeave32Bits) {
        {"2147483647 1 +", "-2147483648 1 -", "0 -2147483648 -", "65536 32768 *",
         "-65536 -32768 *", "-2147483648 -1 *", "-2147483648 -1 /",
         "-2147483648 neg", "-2147483648 -1 +"}) {
-    EXPECT_EQ(fault_of(expression), rungproof::Fault::kOverflow) << expression;
+    EXPECT_EQ(fault_of(expression), rungproof::Fault::Overflow) << expression;
   }
 }
 
@@ -134,10 +134,10 @@ TEST(PostfixMachine, StopsWhereACellWouldLeaveItsRange) {
   ASSERT_EQ(run.error(), "");
   EXPECT_TRUE(run.scan(1));
   EXPECT_FALSE(run.scan(1));
-  EXPECT_EQ(run.machine().fault(), rungproof::Fault::kRange);
+  EXPECT_EQ(run.machine().fault(), rungproof::Fault::Range);
   EXPECT_EQ(run.value(CellId(0)), 3);
   run.reset();
-  EXPECT_EQ(run.machine().fault(), rungproof::Fault::kNone);
+  EXPECT_EQ(run.machine().fault(), rungproof::Fault::None);
   EXPECT_EQ(run.value(CellId(0)), 2);
   EXPECT_EQ(run.value(CellId(1)), 0);
   EXPECT_TRUE(run.scan(1));
@@ -356,9 +356,9 @@ TEST(PostfixMachine, FindsCellsByName) {
   EXPECT_EQ(machine.find("ab"), 2U);
   EXPECT_EQ(machine.find(""), 3U);
   EXPECT_EQ(machine.find("abc"), 3U);
-  EXPECT_EQ(machine.role(0), rungproof::Role::kInput);
-  EXPECT_EQ(machine.role(1), rungproof::Role::kOutput);
-  EXPECT_EQ(machine.role(2), rungproof::Role::kMemory);
+  EXPECT_EQ(machine.role(0), rungproof::Role::Input);
+  EXPECT_EQ(machine.role(1), rungproof::Role::Output);
+  EXPECT_EQ(machine.role(2), rungproof::Role::Memory);
   char buffer[2] = {'x', 'x'};
   EXPECT_EQ(machine.name(1, buffer, 2), 3);
   EXPECT_EQ(std::string(buffer, 2), "a ");

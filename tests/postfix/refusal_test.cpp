@@ -354,7 +354,7 @@ TEST(Refused, MemoryThatIsTooSmall) {
   EXPECT_EQ(rungproof::Machine::memory_words(bytes, 47), 0U);
   rungproof::Machine machine;
   EXPECT_EQ(machine.begin(bytes, length, nullptr, 0),
-            rungproof::Refusal::kNoMemory);
+            rungproof::Refusal::NoMemory);
   EXPECT_FALSE(machine.scan(1));
 }
 
@@ -369,7 +369,7 @@ TEST(Refused, AMachineDoesNotScan) {
   EXPECT_NE(
       run.machine().begin(reinterpret_cast<const std::uint8_t*>(bad.data()),
                           static_cast<std::uint32_t>(bad.size()), memory, 8),
-      rungproof::Refusal::kNone);
+      rungproof::Refusal::None);
   EXPECT_FALSE(run.scan(1));
   run.machine().reset();
   EXPECT_FALSE(run.scan(1));
