@@ -92,7 +92,6 @@ class CodeReader {
       operands_.back().calls_before = skip.calls_before;
       skips_.pop_back();
       token(skip.is_or ? "||" : "&&");
-      constant_ = 0;
     }
     return true;
   }

@@ -236,6 +236,15 @@ TEST(PostfixMachine, CounterYun) {
                      {1, {1, 0}, 1}});
 }
 
+// It counts up to the preset of the call that counts, no further.
+TEST(PostfixMachine, CounterYunOfTwoPresets) {
+  const std::string text = postfix_text(
+      "input bit a\ninput bit b\noutput bit q\nmemory bit m\n"
+      "element C(0) counter-yun\n",
+      "a C(0,1) =m\nb C(0,2) =q\n");
+  expect_rows(text, {{1, {1, 0}, 0}, {1, {1, 0}, 0}, {1, {0, 1}, 1}});
+}
+
 TEST(PostfixMachine, CounterSim) {
   const std::string text = postfix_text(
       "input bit up\ninput bit down\ninput bit reset\noutput bit q\n"

@@ -286,7 +286,32 @@ std::vector<Case> skip_cases() {
          image.bit_stack = 3;
          return image.file();
        }()},
+      {"skip_takes_word_below", 18,
+       [] {
+         Image image = with_word({0x10, 1, 0x03, 0, 0x09, 3, 0,  //
+                                  0x1c, 0x10, 1,                 //
+                                  0x1c, 0x06, 0x04, 1, 0});
+         image.flags = 1;
+         image.branches = 1;
+         image.bit_stack = 2;
+         image.word_stack = 1;
+         return image.file();
+       }()},
+      {"skip_into_next_rung", 20,
+       with_skip({0x03, 0, 0x09, 6, 0, 0x03, 0, 0x04, 1,  //
+                  0x03, 0, 0x04, 1, 0})
+           .file()},
       {"skip_in_strict", 21, strict.file()},
+      // More open at a time than the machine has memory for.
+      {"skips_beyond_memory", 23,
+       [] {
+         std::vector<unsigned> bytes;
+         for (unsigned i = 0; i < 20; ++i) {
+           bytes.insert(bytes.end(), {0x03, 0, 0x09, 5 * (19 - i) + 4, 0});
+         }
+         bytes.insert(bytes.end(), {0x03, 0, 0x50, 0, 0x04, 1, 0});
+         return with_skip(bytes).file();
+       }()},
       {"skip_depth", 23,
        [] {
          Image image =
