@@ -24,9 +24,9 @@ int text_width(const std::string& text) {
 }
 
 Network single(Kind kind, std::string text) {
-  // Room for the symbol and a wire on each side.
+  // Room for the symbol and wires on each side.
   const int symbol = kind == Kind::Box ? text_width(text) + 2 : 3;
-  const int width = std::max(symbol + 2, text_width(text) + 2);
+  const int width = std::max(symbol + 4, text_width(text) + 2);
   return {{{kind, 0, 0, width, 0, std::move(text)}}, width, 1};
 }
 
