@@ -21,9 +21,9 @@ struct Target {
   bool supported = false;
 };
 constexpr std::array kTargets = {
-    Target{"postfix", true},  Target{"il-iec"},  Target{"il-mitsubishi"},
-    Target{"plclib"},         Target{"plcopen"}, Target{"ldmicro"},
-    Target{"ascii"},          Target{"st"},      Target{"script"},
+    Target{"postfix", true}, Target{"il-iec"},  Target{"il-mitsubishi"},
+    Target{"plclib"},        Target{"plcopen"}, Target{"ldmicro"},
+    Target{"ascii"},         Target{"st"},      Target{"script"},
 };
 
 std::optional<std::string> check_target(const Options& options) {

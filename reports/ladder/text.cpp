@@ -153,7 +153,7 @@ class RungDrawing {
         return;
       case Kind::Box:
         canvas_.horizontal(shape.x, shape.x + shape.width, y);
-        canvas_.write(shape.x + 1, y, "[" + shape.text + "]");
+        canvas_.write(shape.x + 2, y, "[" + shape.text + "]");
         return;
       case Kind::Contact:
       case Kind::Negated:

@@ -84,14 +84,15 @@ TEST(Frame, ARangeThatEndsWithALineMarksNothingOfTheNext) {
 }
 
 TEST(Frame, OtherPlacesStandInTheOrderOfTheFile) {
-  EXPECT_EQ(frame("Q0 = I0;\nM0 = I2;\nM1 = I3;\nQ0 = I1;\n", {"Q0 = I1", "Q0"}),
-            " --> m.rung:4:1\n"
-            "  |\n"
-            "1 | Q0 = I0;\n"
-            "  | -- here\n"
-            "...\n"
-            "4 | Q0 = I1;\n"
-            "  | ^^^^^^^\n");
+  EXPECT_EQ(
+      frame("Q0 = I0;\nM0 = I2;\nM1 = I3;\nQ0 = I1;\n", {"Q0 = I1", "Q0"}),
+      " --> m.rung:4:1\n"
+      "  |\n"
+      "1 | Q0 = I0;\n"
+      "  | -- here\n"
+      "...\n"
+      "4 | Q0 = I1;\n"
+      "  | ^^^^^^^\n");
 }
 
 TEST(Frame, AnEmptyRangeHasOneMark) {
@@ -124,7 +125,9 @@ TEST(Frame, LongLinesAreCutAroundTheMark) {
 
 TEST(Locator, RisingRangesAreCountedFromTheLast) {
   SourceSet sources;
-  const FileId file = sources.add("m", "a\n\xc3\xb6" "b\n\nc");
+  const FileId file = sources.add("m",
+                                  "a\n\xc3\xb6"
+                                  "b\n\nc");
   Locator locator(sources);
   EXPECT_EQ(locator.of({file, 0, 1}).end.column, 2U);
   const Place second = locator.of({file, 4, 5});

@@ -107,7 +107,7 @@ class Scene {
     const std::string text = source != nullptr ? *source : unescaped(*escaped);
     std::string path = "motor.rung";
     for (const std::string& line : lines_of(golden.head)) {
-      if (line.starts_with("path ")) path = line.substr(5);
+      if (line.starts_with("path ")) path = unescaped(line.substr(5));
     }
     file_.file = sources_.add(path, text);
     file_.path = path;
@@ -129,7 +129,10 @@ class Scene {
     file_.language = "script";
     file_.dialect = ast.dialect;
     file_.semantics = ast.dialect;
-    if (errors.has_errors()) return;
+    if (errors.has_errors()) {
+      read_errors_ = errors.items().front().message;
+      return;
+    }
     program_ = program;
     file_.program = program;
     TransitionSystem ts = build_transition_system(*program);
@@ -162,7 +165,7 @@ class Scene {
                          : severity == "note" ? Severity::Note
                                               : Severity::Warning;
       finding.where = find(line.needle());
-      finding.message = line.rest();
+      finding.message = unescaped(line.rest());
       file_.findings.push_back(std::move(finding));
     } else if (word == "label") {
       const SourceRange where = find(line.needle());
@@ -197,7 +200,7 @@ class Scene {
       result.obligation = obligation;
       found = true;
     }
-    ASSERT_TRUE(found) << name;
+    ASSERT_TRUE(found) << name << ": " << read_errors_;
     result.engine = line.word();
     result.milliseconds = 1.25;
     if (verdict == "violated") {
@@ -270,6 +273,7 @@ class Scene {
   std::vector<Obligation> obligations_;
   FileReport file_;
   Report report_;
+  std::string read_errors_;
 };
 
 std::string render(const Report& report, const std::string& format) {
@@ -313,7 +317,7 @@ TEST_P(ReportGolden, IsAsRecorded) {
 INSTANTIATE_TEST_SUITE_P(
     All, ReportGolden,
     testing::ValuesIn(golden_paths(RUNG_GOLDEN_DIR, ".report")),
-    [](const auto& info) { return test_name(info.param); });
+    [](const auto& param) { return test_name(param.param); });
 
 }  // namespace
 }  // namespace rung::test

@@ -1,9 +1,8 @@
-#include "reports/ladder/text.h"
-
 #include <gtest/gtest.h>
 
 #include "frontend/script/reader.h"
 #include "reports/ladder/layout.h"
+#include "reports/ladder/text.h"
 
 namespace rung {
 namespace {
@@ -19,29 +18,63 @@ std::string ladder(const std::string& text) {
 }
 
 TEST(Ladder, SeriesAndBranches) {
-  EXPECT_EQ(ladder("Q0 = (I0 || Q0) && !I1;"), R"(RECORDED)");
+  EXPECT_EQ(ladder("Q0 = (I0 || Q0) && !I1;"), R"(  1 m.rung:1
+    |   I0      I1     Q0
+    +--| |---+-|/|----( )--+
+    |   Q0   |
+    +--| |---+
+
+)");
 }
 
 TEST(Ladder, ThreeBranchesShareTheirRisers) {
-  EXPECT_EQ(ladder("Q0 = I0 || I1 && I2 || I3;"), R"(RECORDED)");
+  EXPECT_EQ(ladder("Q0 = I0 || I1 && I2 || I3;"), R"(  1 m.rung:1
+    |   I0             Q0
+    +--| |----------+-( )--+
+    |   I1     I2   |
+    +--| |----| |---+
+    |   I3          |
+    +--| |----------+
+
+)");
 }
 
 TEST(Ladder, AnElementAtTheRailIsDrawnBehindItsInput) {
-  EXPECT_EQ(ladder("Q0 = T(0, 5, I0 && I1);"), R"(RECORDED)");
+  EXPECT_EQ(ladder("Q0 = T(0, 5, I0 && I1);"), R"(  1 m.rung:1
+    |  I0     I1                     Q0
+    +-| |----| |----[T(0) 5.0 s]----( )--+
+
+)");
 }
 
 // Drawn behind `I1` the timer would run only while `I1` is on.
 TEST(Ladder, AnElementBehindAContactKeepsItsInputInItsBox) {
-  EXPECT_EQ(ladder("Q0 = I1 && T(0, 5, I0);"), R"(RECORDED)");
+  EXPECT_EQ(ladder("Q0 = I1 && T(0, 5, I0);"), R"(  1 m.rung:1
+    |  I1                         Q0
+    +-| |----[T(0) 5.0 s, I0]----( )--+
+
+)");
 }
 
 TEST(Ladder, AnInnerNegationIsABox) {
-  EXPECT_EQ(ladder("Q0 = I1 && !(I0 || I2);"), R"(RECORDED)");
+  EXPECT_EQ(ladder("Q0 = I1 && !(I0 || I2);"), R"(  1 m.rung:1
+    |  I1                      Q0
+    +-| |----[!(I0 || I2)]----( )--+
+
+)");
 }
 
 TEST(Ladder, WordsAndComparisonsAreBoxes) {
   EXPECT_EQ(ladder("Q0 = IW0 < 20 && I0;\nQW0 = (IW0 + 1) * 2;"),
-            R"(RECORDED)");
+            R"(  1 m.rung:1
+    |                I0     Q0
+    +-[IW0 < 20]----| |----( )--+
+
+  2 m.rung:2
+    |                      QW0
+    +-[(IW0 + 1) * 2]------( )--+
+
+)");
 }
 
 TEST(Ladder, WhatIsTooDeepIsItsText) {

@@ -16,7 +16,8 @@ TEST(Decode, TakesWellFormedSequences) {
 TEST(Decode, RefusesEverythingElseByteByByte) {
   for (const std::string_view bad :
        {"\xff", "\x80", "\xc0\x80", "\xc3", "\xc3z", "\xe2\x82", "\xed\xa0\x80",
-        "\xe0\x80\x80", "\xf0\x80\x80\x80", "\xf4\x90\x80\x80", "\xf5\x80\x80\x80"}) {
+        "\xe0\x80\x80", "\xf0\x80\x80\x80", "\xf4\x90\x80\x80",
+        "\xf5\x80\x80\x80"}) {
     EXPECT_FALSE(decode(bad, 0).valid) << bad;
     EXPECT_EQ(decode(bad, 0).bytes, 1U) << bad;
   }
