@@ -11,6 +11,7 @@
 #include "app/output.h"
 #include "app/session.h"
 #include "app/version.h"
+#include "smt/oracle.h"
 
 namespace rung {
 namespace {
@@ -42,11 +43,19 @@ PropertySet select(PropertySet all, const std::vector<std::string>& wanted) {
   return all;
 }
 
-void lint(const SourceSet& sources, const Program& program,
-          FileReport& report) {
+void lint(const SourceSet& sources, const Program& program, FileReport& report,
+          const VerifyOptions& verify_options) {
   TransitionSystem ts = build_transition_system(program);
+  PropertySet assumptions;
+  assumptions.assumptions = report.properties.assumptions;
+  make_obligations(program, assumptions, ts);  // adds the constraints
+  OracleOptions oracle_options;
+  oracle_options.self_check = verify_options.self_check;
+  oracle_options.seconds =
+      std::min(oracle_options.seconds, verify_options.budget.seconds);
+  SolverOracle oracle(program, ts, oracle_options);
   DiagnosticList found;
-  run_rules({sources, program, report.properties, ts, nullptr}, found);
+  run_rules({sources, program, report.properties, ts, &oracle}, found);
   report.findings = found.take();
   sort_diagnostics(report.findings);
 }
@@ -128,7 +137,7 @@ class CheckRun {
     if (loaded.program) {
       const VerifyOptions options = session_.verify_options(index);
       if (report_.linted) {
-        lint(session_.sources(), *loaded.program, loaded.report);
+        lint(session_.sources(), *loaded.program, loaded.report, options);
       }
       if (report_.proved) {
         prove(*loaded.program, loaded.report, session_.options(), options);

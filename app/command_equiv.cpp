@@ -35,20 +35,26 @@ EquivalenceReport empty_report(Session& session) {
   return report;
 }
 
-/// The assumptions of both programs hold: they are about shared inputs.
-std::vector<std::string> assumptions_of(const Loaded& a, const Loaded& b) {
-  std::vector<std::string> all = a.report.properties.assumptions;
+/// What the second program assumes and the first does not is left out, which
+/// is sound: the programs are compared on more runs.
+void note_assumptions(const Loaded& a, const Loaded& b,
+                      EquivalenceReport& report) {
+  const auto& used = a.report.properties.assumptions;
   for (const std::string& one : b.report.properties.assumptions) {
-    if (std::find(all.begin(), all.end(), one) == all.end()) {
-      all.push_back(one);
-    }
+    if (std::find(used.begin(), used.end(), one) != used.end()) continue;
+    report.notes.push_back("the assumption `" + one + "` of " + b.report.path +
+                           " is not used: the first program has none like it");
   }
-  return all;
 }
 
 void take(EquivalenceResult result, EquivalenceReport& report) {
   report.verdict = to_word(result.verdict);
   report.outputs = std::move(result.outputs);
+  for (const std::string& name : result.not_compared) {
+    report.notes.push_back("`" + name +
+                           "` is not compared: the other program has no "
+                           "output of that name");
+  }
   report.engine = std::move(result.engine);
   report.reason = std::move(result.reason);
   report.certificate = std::move(result.certificate);
@@ -78,7 +84,9 @@ int run_equiv(const Options& options) {
   equivalence.budget.seconds = options.timeout;
   equivalence.self_check = options.self_check;
   equivalence.map = options.map;
-  equivalence.assumptions = assumptions_of(a, b);
+  equivalence.assumptions = a.report.properties.assumptions;
+  equivalence.recheck = options.recheck;
+  equivalence.smtlib_directory = options.certificates;
   const auto start = std::chrono::steady_clock::now();
   EquivalenceResult result =
       check_equivalence(*a.program, *b.program, equivalence);
@@ -87,6 +95,7 @@ int run_equiv(const Options& options) {
                             .count();
   if (!result.error.empty()) return usage_error(result.error);
   take(std::move(result), report);
+  note_assumptions(a, b, report);
   return emit(report, options);
 }
 

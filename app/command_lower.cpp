@@ -7,10 +7,9 @@
 #include "app/commands.h"
 #include "app/output.h"
 #include "app/session.h"
+#include "app/translation.h"
 #include "backend/postfix/lower.h"
 #include "base/text.h"
-#include "frontend/postfix/reader.h"
-#include "smt/equivalence.h"
 
 namespace rung {
 namespace {
@@ -39,21 +38,6 @@ std::optional<std::string> check_target(const Options& options) {
                      did_you_mean(options.to, names));
 }
 
-/// What was written, as a program again.
-std::optional<Program> read_back(SourceSet& sources, const std::string& bytes,
-                                 DiagnosticSink& sink) {
-  DiagnosticList errors;
-  const FileId file = add_postfix(sources, "(lowered)", bytes, errors);
-  Program program;
-  if (!errors.has_errors()) {
-    program = build_program(read_postfix(sources, file, errors), {}, errors);
-  }
-  const bool ok = !errors.has_errors();
-  for (Diagnostic& error : errors.take()) sink.report(std::move(error));
-  if (!ok) return std::nullopt;
-  return program;
-}
-
 /// Says why the lowered program is not left on disk: a fault of ours.
 int refuse(const std::string& why) {
   fmt::print(stderr,
@@ -61,29 +45,6 @@ int refuse(const std::string& why) {
              "equivalent to its source, so it is not written: {}\n",
              why);
   return kExitInternal;
-}
-
-/// Nothing when `lowered` is proved to be the same program.
-std::optional<std::string> difference(const Program& program,
-                                      const Program& lowered,
-                                      const Options& options) {
-  EquivalenceOptions equivalence;
-  equivalence.budget.seconds = options.timeout;
-  equivalence.self_check = options.self_check;
-  const EquivalenceResult result =
-      check_equivalence(program, lowered, equivalence);
-  if (!result.failures.empty()) return result.failures.front().what;
-  if (!result.error.empty()) return result.error;
-  switch (result.verdict) {
-    case EquivalenceVerdict::Equivalent:
-      return std::nullopt;
-    case EquivalenceVerdict::Different:
-      return "they differ";
-    case EquivalenceVerdict::Bounded:
-    case EquivalenceVerdict::Unknown:
-      break;
-  }
-  return result.reason.empty() ? "no proof was found" : result.reason;
 }
 
 int write_lowered(const Options& options, const std::string& bytes) {
@@ -118,12 +79,8 @@ int run_lower(const Options& options) {
     return print_input_errors(session.sources(), loaded.report, options);
   }
   print_input_errors(session.sources(), loaded.report, options);  // notes
-  DiagnosticList unread;
-  const auto lowered = read_back(session.sources(), *bytes, unread);
-  if (!lowered) return refuse(unread.items().front().message);
-  if (const auto why = difference(program, *lowered, options)) {
-    return refuse(*why);
-  }
+  const Validation validation = validate_translation(program, *bytes, options);
+  if (validation.status != 0) return refuse(validation.reason);
   return write_lowered(options, *bytes);
 }
 

@@ -27,7 +27,7 @@ int run(int argc, char** argv) {
   for (const Command& command : kCommands) {
     if (command.name == options.command) return command.run(options);
   }
-  return usage_error("`" + options.command + "` is not supported yet");
+  return kExitUsage;
 }
 
 }  // namespace

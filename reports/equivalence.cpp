@@ -137,6 +137,7 @@ Json json_of(const EquivalenceReport& report) {
                 {{"name", "rungproof"},
                  {"version", report.version},
                  {"solvers", std::move(solvers)}}},
+               {"notes", report.notes},
                {"findings", findings_json(report)},
                {"exit_status", exit_status(report)},
                {"self_check", report.self_check},
@@ -197,6 +198,15 @@ std::string write_text(const EquivalenceReport& report,
     out += '\n';
   }
   if (quiet) return out;
+  for (const FileReport* file : {&report.a, &report.b}) {
+    for (const std::string& note : file->notes) {
+      out += paint(Ink::Note, "note") + ": " + printable(file->path) + ": " +
+             printable(note) + "\n";
+    }
+  }
+  for (const std::string& note : report.notes) {
+    out += paint(Ink::Note, "note") + ": " + printable(note) + "\n";
+  }
   out += "compared " + quantity(report.outputs.size(), "output");
   if (!report.engine.empty()) out += ", by " + report.engine;
   out += '\n';
@@ -252,6 +262,7 @@ Report as_report(const EquivalenceReport& report) {
   file.properties.properties = {std::move(property)};
   file.results.push_back(std::move(result));
   file.failures = report.failures;
+  file.notes.insert(file.notes.end(), report.notes.begin(), report.notes.end());
   return out;
 }
 

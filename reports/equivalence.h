@@ -29,6 +29,7 @@ struct EquivalenceReport {
   std::uint64_t scans = 0;  // of the trace
   double milliseconds = 0;
   std::string reason;
+  std::vector<std::string> notes;  // what was not compared
   std::optional<Certificate> certificate;
   std::optional<Trace> trace_a;
   std::optional<Trace> trace_b;
