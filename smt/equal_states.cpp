@@ -1,11 +1,11 @@
 #include "smt/equal_states.h"
 
 #include <algorithm>
+#include <functional>
 #include <unordered_map>
 #include <utility>
 
 #include "smt/cone.h"
-#include "smt/interpret.h"
 
 namespace rung {
 namespace {
@@ -30,37 +30,125 @@ class Random {
   std::uint64_t state_ = 1;
 };
 
+/// Executes terms scan by scan. What it says is only a guess to be proved:
+/// so it may let more time pass in a scan than one takes.
+class Runs {
+ public:
+  Runs(const TransitionSystem& ts, const std::vector<bool>& in_cone)
+      : ts_(ts), in_cone_(in_cone), value_(ts.exprs.size(), 0) {
+    for (const State& state : ts.states) {
+      longest_ = std::max(longest_, state.cap);
+    }
+    for (std::uint32_t i = 0; i < ts.exprs.size(); ++i) {
+      const Expr& e = ts.exprs[ExprId(i)];
+      if (e.op == ExprOp::Constant) value_[i] = e.value;
+      if (e.op != ExprOp::Constant && e.op != ExprOp::Variable) {
+        terms_.push_back(ExprId(i));
+      }
+    }
+  }
+
+  std::size_t size() const { return terms_.size(); }
+  std::int64_t state(std::uint32_t i) const {
+    return value_[ts_.state_expr(i).index()];
+  }
+
+  void reset() {
+    for (const State& state : ts_.states) {
+      value_[ts_.of(state.var).index()] = state.init;
+    }
+  }
+  /// New values for about one in `hold` inputs; all of them when it is 1.
+  void draw_inputs(Random& random, std::uint64_t hold) {
+    for (const Variable& variable : ts_.vars) {
+      if (variable.role == VarRole::State || !random.one_in(hold)) continue;
+      value_[variable.expr.index()] =
+          random.one_in(3) ? variable.high
+                           : random.between(variable.low, variable.high);
+    }
+    std::int64_t& dt = value_[ts_.of(ts_.dt).index()];
+    dt = random.one_in(2)
+             ? random.between(ts_.scan.min_ms, ts_.scan.max_ms)
+             : random.between(1, longest_ >> random.between(0, 12));
+  }
+  void scan() {
+    for (const ExprId id : terms_) value_[id.index()] = evaluate(id);
+    next_.clear();
+    for (const State& state : ts_.states) {
+      next_.push_back(value_[state.next.index()]);
+    }
+    for (std::size_t i = 0; i < next_.size(); ++i) {
+      if (!in_cone_[ts_.states[i].var.index()]) continue;
+      value_[ts_.of(ts_.states[i].var).index()] = next_[i];
+    }
+  }
+
+ private:
+  std::int64_t evaluate(ExprId id) const {
+    const Expr& e = ts_.exprs[id];
+    const auto of = [&](ExprId operand) { return value_[operand.index()]; };
+    switch (e.op) {
+      case ExprOp::Constant:
+      case ExprOp::Variable:
+        break;
+      case ExprOp::Not:
+        return 1 - of(e.a);
+      case ExprOp::And:
+        return of(e.a) & of(e.b);
+      case ExprOp::Xor:
+        return of(e.a) ^ of(e.b);
+      case ExprOp::Equal:
+        return of(e.a) == of(e.b) ? 1 : 0;
+      case ExprOp::Less:
+        return of(e.a) < of(e.b) ? 1 : 0;
+      case ExprOp::Add:
+        return wrapping(of(e.a), of(e.b), std::plus<>());
+      case ExprOp::Multiply:
+        return wrapping(of(e.a), of(e.b), std::multiplies<>());
+      case ExprOp::Divide:
+        return of(e.a) / of(e.b);
+      case ExprOp::Wrap16:
+        return static_cast<std::int16_t>(of(e.a) & 0xffff);
+      case ExprOp::Ite:
+        return of(e.a) != 0 ? of(e.b) : of(e.c);
+    }
+    return of(id);
+  }
+
+  template <class Op>
+  static std::int64_t wrapping(std::int64_t a, std::int64_t b, Op op) {
+    return static_cast<std::int64_t>(
+        op(static_cast<std::uint64_t>(a), static_cast<std::uint64_t>(b)));
+  }
+
+  const TransitionSystem& ts_;
+  const std::vector<bool>& in_cone_;
+  std::vector<std::int64_t> value_;  // by term
+  std::vector<ExprId> terms_;        // to be evaluated, operands first
+  std::vector<std::int64_t> next_;
+  std::int64_t longest_ = 1 << 12;
+};
+
 /// A fingerprint of each state's values in some random runs: states that are
 /// always equal have equal ones. Runs are from power-up, inputs held for a
-/// while, scans short or long, so that timers fire.
+/// while.
 std::vector<std::uint64_t> fingerprints(const Product& product,
                                         const std::vector<bool>& in_cone) {
-  constexpr std::size_t kWork = 4'000'000;
+  constexpr std::size_t kWork = 8'000'000;
   constexpr std::size_t kRun = 64;
   const TransitionSystem& ts = product.ts;
-  Interpreter terms(ts, product.same);
+  Runs runs(ts, in_cone);
   const std::size_t scans =
-      std::clamp<std::size_t>(kWork / (ts.exprs.size() + 1), kRun, 40 * kRun);
+      std::clamp<std::size_t>(kWork / (runs.size() + 1), kRun, 60 * kRun);
   Random random;
   std::vector<std::uint64_t> prints(ts.states.size(), 0);
-  std::uint64_t hold = 2;
   for (std::size_t scan = 0; scan < scans; ++scan) {
-    if (scan % kRun == 0) {
-      terms.reset();
-      hold = std::uint64_t{2} << (2 * (scan / kRun % 3));
-    }
-    for (const VarId id : ids_of(ts.vars)) {
-      const Variable& variable = ts.vars[id];
-      if (variable.role == VarRole::State || !in_cone[id.index()]) continue;
-      if (scan % kRun != 0 && !random.one_in(hold)) continue;
-      terms.set_input(id, random.one_in(3)
-                              ? variable.high
-                              : random.between(variable.low, variable.high));
-    }
-    terms.scan();
+    const bool first = scan % kRun == 0;
+    if (first) runs.reset();
+    runs.draw_inputs(random, first ? 1 : 2U << (2 * (scan / kRun % 3)));
+    runs.scan();
     for (std::uint32_t i = 0; i < ts.states.size(); ++i) {
-      if (!in_cone[ts.states[i].var.index()]) continue;
-      const auto value = static_cast<std::uint64_t>(terms.state(i));
+      const auto value = static_cast<std::uint64_t>(runs.state(i));
       prints[i] = (prints[i] ^ value) * 0x9e3779b97f4a7c15U;
       prints[i] ^= prints[i] >> 32U;
     }
@@ -80,24 +168,27 @@ class CandidatePairs {
         in_cone_(cone_of_influence(product.ts, product.same)),
         prints_(fingerprints(product, in_cone_)) {}
 
-  std::vector<StatePair> find(const std::vector<StatePair>& by_name) {
+  EqualGuesses find(const std::vector<StatePair>& by_name) {
     std::vector<bool> named(b_.states.size(), false);
     for (const StatePair& pair : by_name) {
       if (!may_be_equal(pair)) continue;
-      pairs_.push_back(pair);
+      guesses_.likely.push_back(pair);
       named[pair.b] = true;
     }
     std::unordered_map<std::uint64_t, std::vector<std::uint32_t>> alike;
+    std::unordered_map<std::uint64_t, std::size_t> rank;
     for (std::uint32_t i = 0; i < a_.states.size(); ++i) {
       if (in_cone(product_.state_a[i])) {
         alike[prints_[product_.state_a[i]]].push_back(i);
       }
     }
     for (std::uint32_t i = 0; i < b_.states.size(); ++i) {
-      if (named[i] || !in_cone(product_.state_b[i])) continue;
-      add_alike(i, alike[prints_[product_.state_b[i]]]);
+      if (!in_cone(product_.state_b[i])) continue;
+      const std::uint64_t print = prints_[product_.state_b[i]];
+      const std::size_t at = rank[print]++;
+      if (!named[i]) add_alike(i, alike[print], at);
     }
-    return std::move(pairs_);
+    return std::move(guesses_);
   }
 
  private:
@@ -115,15 +206,16 @@ class CandidatePairs {
                b_.vars[b_.states[pair.b].var].type;
   }
 
-  void add_alike(std::uint32_t of_b, const std::vector<std::uint32_t>& of_a) {
+  /// The one at the same place of the class first: programs that are alike
+  /// mostly name their states in one order.
+  void add_alike(std::uint32_t of_b, const std::vector<std::uint32_t>& of_a,
+                 std::size_t rank) {
     constexpr std::size_t kMost = 4;  // classes of idle states may be large
-    std::size_t added = 0;
-    for (const std::uint32_t first : of_a) {
-      if (added == kMost) return;
-      const StatePair pair{first, of_b};
+    const std::size_t count = std::min(kMost, of_a.size());
+    for (std::size_t i = 0; i < count; ++i) {
+      const StatePair pair{of_a[(rank + i) % of_a.size()], of_b};
       if (!may_be_equal(pair)) continue;
-      pairs_.push_back(pair);
-      ++added;
+      (i == 0 ? guesses_.likely : guesses_.more).push_back(pair);
     }
   }
 
@@ -132,28 +224,33 @@ class CandidatePairs {
   const Product& product_;
   std::vector<bool> in_cone_;
   std::vector<std::uint64_t> prints_;
-  std::vector<StatePair> pairs_;
+  EqualGuesses guesses_;
 };
 
 }  // namespace
 
-EqualStates find_equal_states(const TransitionSystem& a,
-                              const TransitionSystem& b, Product& product,
-                              const std::vector<StatePair>& by_name,
+EqualGuesses guess_equal_states(const TransitionSystem& a,
+                                const TransitionSystem& b,
+                                const Product& product,
+                                const std::vector<StatePair>& by_name) {
+  return CandidatePairs(a, b, product).find(by_name);
+}
+
+EqualStates find_equal_states(Product& product,
+                              const std::vector<StatePair>& guesses,
                               const Deadline& deadline) {
-  constexpr std::int64_t kConflicts = 200'000;
+  constexpr std::int64_t kConflicts = 50'000;
   EqualStates result;
-  result.outputs.assign(product.same.size(), false);
-  const std::vector<StatePair> pairs =
-      CandidatePairs(a, b, product).find(by_name);
-  std::vector<ExprId> equal;
-  for (const StatePair& pair : pairs) {
-    equal.push_back(
-        product.ts.exprs.equal(product.ts.state_expr(product.state_a[pair.a]),
-                               product.ts.state_expr(product.state_b[pair.b])));
-  }
+  std::vector<StatePair> pairs;
   std::vector<ExprId> roots = product.same;
-  roots.insert(roots.end(), equal.begin(), equal.end());
+  for (const StatePair& pair : guesses) {
+    const ExprId equal =
+        product.ts.exprs.equal(product.ts.state_expr(product.state_a[pair.a]),
+                               product.ts.state_expr(product.state_b[pair.b]));
+    if (product.ts.exprs.is_true(equal)) continue;  // merged already
+    pairs.push_back(pair);
+    roots.push_back(equal);
+  }
   Cone cone(product.ts, roots);
   if (cone.circuit().overflow()) return result;
   Candidates candidates;
@@ -167,8 +264,8 @@ EqualStates find_equal_states(const TransitionSystem& a,
   for (std::size_t i = 0; i < pairs.size(); ++i) {
     if (candidates.lemma_holds[i]) result.pairs.push_back(pairs[i]);
   }
-  result.outputs = candidates.condition_holds;
-  result.all_outputs = std::all_of(result.outputs.begin(), result.outputs.end(),
+  result.all_outputs = std::all_of(candidates.condition_holds.begin(),
+                                   candidates.condition_holds.end(),
                                    [](bool holds) { return holds; });
   return result;
 }

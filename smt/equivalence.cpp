@@ -63,7 +63,7 @@ class EquivalenceCheck {
     ts_a_ = build_transition_system(a);
     ts_b_ = build_transition_system(b);
     by_name_ = states_by_name(a, b, ts_a_, ts_b_, shared_);
-    if (!equal_by_structure()) decide_product();
+    if (!equal_by_structure(by_name_)) decide_product();
     return std::move(result_);
   }
 
@@ -89,9 +89,11 @@ class EquivalenceCheck {
 
   // --- without a solver ------------------------------------------------------
 
-  bool equal_by_structure() {
+  /// States that are shown equal on the way stay in proved_.
+  bool equal_by_structure(const std::vector<StatePair>& guesses) {
     const TwoSystems systems{ts_a_, ts_b_, shared_};
-    const Correspondence found = correspond(systems, by_name_);
+    const Correspondence found = correspond(systems, guesses);
+    proved_ = found.states;
     // Where one program leaves the range of the encoding, so does the other, in
     // the same scan, from equal operands of the same operator.
     if (!found.outputs_equal || !found.faults_equal) return false;
@@ -127,10 +129,17 @@ class EquivalenceCheck {
 
   void decide_product() {
     Product whole = product({});
-    const EqualStates equal =
-        find_equal_states(ts_a_, ts_b_, whole, by_name_, deadline_);
+    const EqualGuesses guesses =
+        guess_equal_states(ts_a_, ts_b_, whole, by_name_);
+    if (equal_by_structure(guesses.likely)) return;
+    std::vector<StatePair> open = guesses.likely;
+    open.insert(open.end(), guesses.more.begin(), guesses.more.end());
+    Product reduced = product(proved_);
+    const EqualStates equal = find_equal_states(reduced, open, deadline_);
+    std::vector<StatePair> merged = equal.pairs;
+    merged.insert(merged.end(), proved_.begin(), proved_.end());
     Invariant invariant;
-    for (const StatePair& pair : equal.pairs) {
+    for (const StatePair& pair : merged) {
       const ExprId same =
           whole.ts.exprs.equal(whole.ts.state_expr(whole.state_a[pair.a]),
                                whole.ts.state_expr(whole.state_b[pair.b]));
@@ -142,7 +151,7 @@ class EquivalenceCheck {
       certify(whole, invariant, "register correspondence");
       return;
     }
-    decide_rest(whole, equal, invariant);
+    decide_rest(whole, merged, invariant);
   }
 
   void check_assumption(const std::string& text) {
@@ -198,9 +207,9 @@ class EquivalenceCheck {
   }
 
   /// The engines, on the product in which equal states are one.
-  void decide_rest(Product& whole, const EqualStates& equal,
+  void decide_rest(Product& whole, const std::vector<StatePair>& merged,
                    Invariant& invariant) {
-    Product reduced = product(equal.pairs);
+    Product reduced = product(merged);
     std::vector<Target> targets;
     for (const ExprId same : reduced.same) {
       targets.push_back({.term = reduced.ts.exprs.negation(same),
@@ -333,6 +342,7 @@ class EquivalenceCheck {
   TransitionSystem ts_a_;
   TransitionSystem ts_b_;
   std::vector<StatePair> by_name_;
+  std::vector<StatePair> proved_;  // equal in every scan, by structure
   EquivalenceResult result_;
 };
 
