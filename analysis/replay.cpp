@@ -11,12 +11,12 @@ namespace rung {
 namespace {
 
 enum LatchPart : std::uint32_t {
-  kSettable,
-  kSets,
-  kHolds,
-  kReleasable,
-  kResets,
-  kNoSpuriousStart,
+  Settable,
+  Sets,
+  Holds,
+  Releasable,
+  Resets,
+  NoSpuriousStart,
 };
 
 // `time` ms or more are left of a deadline that is met as long as less than
@@ -181,17 +181,17 @@ class PropertyWatch {
     const bool sets = set && (property_.dominant_set || !reset);
     const bool resets = reset && (!property_.dominant_set || !set);
     switch (part) {
-      case kSettable:
+      case Settable:
         return rises;
-      case kSets:
+      case Sets:
         return sets && !q;
-      case kHolds:
+      case Holds:
         return before && !reset && !q;
-      case kReleasable:
+      case Releasable:
         return false;  // about runs that branch off: one run cannot refute it
-      case kResets:
+      case Resets:
         return resets && q;
-      case kNoSpuriousStart:
+      case NoSpuriousStart:
         return rises && !set;
       default:
         assert(false && "a latch has six parts");
