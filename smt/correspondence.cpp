@@ -60,7 +60,7 @@ std::uint32_t raw(ExprId id) { return id.has_value() ? id.index() + 1U : 0U; }
 /// The terms of a system by shape: open addressing, index + 1, 0 is empty.
 class ShapeTable {
  public:
-  explicit ShapeTable(const TransitionSystem& ts) : ts_(ts) {
+  explicit ShapeTable(const TransitionSystem& ts) {
     std::size_t size = 16;
     while (size < ts.exprs.size() * 2) size *= 2;
     table_.assign(size, 0);
@@ -94,7 +94,6 @@ class ShapeTable {
     return slot;
   }
 
-  const TransitionSystem& ts_;
   std::vector<Shape> shapes_;
   std::vector<std::uint32_t> table_;
 };

@@ -211,6 +211,7 @@ class EquivalenceCheck {
                    Invariant& invariant) {
     Product reduced = product(merged);
     std::vector<Target> targets;
+    targets.reserve(reduced.same.size() + reduced.ts.faults.size() + 1);
     for (const ExprId same : reduced.same) {
       targets.push_back({.term = reduced.ts.exprs.negation(same),
                          .never = same,
@@ -230,6 +231,7 @@ class EquivalenceCheck {
     }
     const std::vector<ExprId> growth = growth_terms(reduced.ts);
     std::vector<Target*> all;
+    all.reserve(targets.size());
     for (Target& target : targets) all.push_back(&target);
     Portfolio portfolio(reduced.ts, growth, std::move(all),
                         {{}, options_.budget.max_depth, &deadline_});

@@ -104,15 +104,18 @@ std::vector<Oracle::Evidence> SolverOracle::always(
     ask(condition, Target::Purpose::Violation);
   }
   std::vector<ExprId> roots;
+  roots.reserve(targets.size());
   for (const Target& target : targets) roots.push_back(target.term);
   for (const std::vector<std::size_t>& group : partition(ts_, roots)) {
     std::vector<Target*> members;
+    members.reserve(group.size());
     for (const std::size_t i : group) members.push_back(&targets[i]);
     for (const char* engine : {"induction", "bmc"}) {
       decide(open_ones(members), engine);
     }
   }
   std::vector<Evidence> answers;
+  answers.reserve(conditions.size());
   for (const ExprId condition : conditions) {
     answers.push_back(answer(targets[place.at(condition)], targets));
   }
@@ -132,7 +135,8 @@ Oracle::Evidence SolverOracle::answer(
   return evidence;
 }
 
-void SolverOracle::decide(std::vector<Target*> open, const char* engine) {
+void SolverOracle::decide(const std::vector<Target*>& open,
+                          const char* engine) {
   if (open.empty() || !asks_for_runs(open) || deadline_.passed()) return;
   Portfolio portfolio(ts_, growth_, open,
                       {engine, options_.max_depth, &deadline_});

@@ -66,8 +66,12 @@ class Matcher {
     if (found != names.end()) return found->second;
     std::vector<std::string_view> all;
     for (const Cell& cell : program.cells) all.emplace_back(cell.name);
-    fail("`" + name + "` is no signal of the " + std::string(which) +
-         " program" + did_you_mean(name, all));
+    std::string why = "`" + name;
+    why += "` is no signal of the ";
+    why += which;
+    why += " program";
+    why += did_you_mean(name, all);
+    fail(std::move(why));
     return {};
   }
 
@@ -81,7 +85,9 @@ class Matcher {
       if (!a.has_value() || !b.has_value()) continue;
       if (partner_of_a_[a.index()].has_value() ||
           partner_of_b_[b.index()].has_value()) {
-        fail("the map names `" + first + "` or `" + second + "` twice");
+        std::string why = "the map names `" + first;
+        why += "` or `" + second;
+        fail(why += "` twice");
       }
       join(a, b);
       mapped_[a.index()] = true;
