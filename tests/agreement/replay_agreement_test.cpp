@@ -84,6 +84,7 @@ Outcome check(const std::vector<std::uint32_t>& numbers) {
     return !obligation.undecided.empty() || !obligation.only_provable.empty();
   });
   std::vector<ReplayTarget> targets;
+  targets.reserve(obligations.size());
   for (const Obligation& obligation : obligations) {
     targets.push_back({obligation.property, obligation.part});
   }
