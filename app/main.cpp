@@ -16,8 +16,10 @@ struct Command {
 };
 
 constexpr Command kCommands[] = {
-    {"check", run_check},    {"lint", run_check},    {"prove", run_check},
-    {"run", run_simulation}, {"render", run_render}, {"rule", run_rule},
+    {"check", run_check},   {"lint", run_check},
+    {"prove", run_check},   {"equiv", run_equiv},
+    {"lower", run_lower},   {"run", run_simulation},
+    {"render", run_render}, {"rule", run_rule},
 };
 
 int run(int argc, char** argv) {

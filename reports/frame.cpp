@@ -120,11 +120,15 @@ class Drawing {
             paint_(Ink::Frame, first ? "-->" : ":::") + " " +
             printable(sources_[file].path()) +
             fmt::format(":{}:{}\n", at.line, at.column);
-    bar();
-    out_ += '\n';
     line_ = 0;
     file_ = file;
+    if (is_empty()) return;
+    bar();
+    out_ += '\n';
   }
+
+  /// There is nothing to see in a file that could not be read.
+  bool is_empty() const { return sources_[file_].text().empty(); }
 
   void draw(const Underline& underline) {
     const Layout layout =
@@ -195,7 +199,7 @@ std::string draw_frame(const SourceSet& sources, const std::vector<Mark>& marks,
       drawing.header(one.file, is_home ? home_place : one.place, is_home);
     }
     file = one.file;
-    drawing.draw(one);
+    if (!drawing.is_empty()) drawing.draw(one);
   }
   return drawing.take();
 }

@@ -97,10 +97,7 @@ TEST(Frame, OtherPlacesStandInTheOrderOfTheFile) {
 
 TEST(Frame, AnEmptyRangeHasOneMark) {
   EXPECT_EQ(frame("", {""}),
-            " --> m.rung:1:1\n"
-            "  |\n"
-            "1 |\n"
-            "  | ^\n");
+            " --> m.rung:1:1\n");
   EXPECT_EQ(frame("Q0", {""}),
             " --> m.rung:1:1\n"
             "  |\n"
