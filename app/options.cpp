@@ -3,11 +3,13 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <charconv>
 #include <cstdio>
 #include <string_view>
 
 #include "app/version.h"
+#include "base/text.h"
 #include "smt/verify.h"
 
 namespace rung {
@@ -231,6 +233,22 @@ void add_commands(CLI::App& app, RawOptions& raw, Options& options) {
   rule->add_option("CODE", options.rule, "a code or a name; else a list");
 }
 
+constexpr std::string_view kCommandNames[] = {
+    "check", "lint", "prove", "equiv", "lower", "run", "render", "rule"};
+
+/// CLI11 would say that a command is missing, not that it does not know it.
+std::optional<std::string> unknown_command(int argc, char** argv) {
+  if (argc < 2 || argv[1][0] == '-') return std::nullopt;
+  const std::string_view wanted = argv[1];
+  const std::vector<std::string_view> known(std::begin(kCommandNames),
+                                            std::end(kCommandNames));
+  if (std::find(known.begin(), known.end(), wanted) != known.end()) {
+    return std::nullopt;
+  }
+  return fmt::format("there is no command `{}`{}", wanted,
+                     did_you_mean(wanted, known));
+}
+
 std::string version_text() {
   std::string out = fmt::format("rungproof {}", kVersion);
   for (const auto& [name, version] : solver_versions()) {
@@ -247,6 +265,9 @@ int usage_error(const std::string& message) {
 }
 
 std::variant<Options, int> parse_options(int argc, char** argv) {
+  if (const auto error = unknown_command(argc, argv)) {
+    return usage_error(*error);
+  }
   Options options;
   RawOptions raw;
   CLI::App app("Proves and checks rung programs.", "rungproof");

@@ -61,7 +61,10 @@ Summary summarise(const Report& report) {
   Summary summary;
   for (const FileReport& file : report.files) {
     ++summary.files;
-    if (file.program) summary.rungs += file.program->rungs.size();
+    if (file.program) {
+      ++summary.read;
+      summary.rungs += file.program->rungs.size();
+    }
     for (const ObligationResult& result : file.results) count(result, summary);
     for (const Diagnostic& finding : file.findings) count(finding, summary);
     summary.failures += file.failures.size();

@@ -49,6 +49,7 @@ struct Report {
 
 struct Summary {
   std::size_t files = 0;
+  std::size_t read = 0;  // files without input errors
   std::size_t rungs = 0;
   std::size_t obligations = 0;
   std::size_t proved = 0;

@@ -39,8 +39,12 @@ std::string finding_counts(const Summary& summary) {
 
 std::string summary_line(const Report& report, const Painter& paint) {
   const Summary summary = summarise(report);
-  std::string out = "checked " + quantity(summary.files, "file") + ", " +
-                    quantity(summary.rungs, "rung");
+  std::string out = "checked ";
+  if (summary.read < summary.files) {
+    out += fmt::format("{} of ", summary.read);
+  }
+  out += quantity(summary.files, "file") + ", " +
+         quantity(summary.rungs, "rung");
   if (report.proved) {
     if (summary.obligations == 0) {
       out += ", no obligations";

@@ -95,7 +95,10 @@ class TextWriter {
       out_ += place_of(result.obligation.where) + paint_(Ink::Good, "proved") +
               ": " + title(result);
     }
-    if (detail_ == Detail::Verbose) write_evidence(result);
+    if (detail_ == Detail::Verbose) {
+      write_evidence(result);
+      write_witness(file, result);
+    }
   }
 
   /// Why there is no verdict: the reason, or what a bounded search means.
@@ -151,6 +154,16 @@ class TextWriter {
                          paint_, locator_);
     if (!rungs.empty()) out_ += "\n" + rungs;
     out_ += '\n';
+  }
+
+  /// The run that gets where a written `reach` asks for.
+  void write_witness(const FileReport& file, const ObligationResult& result) {
+    const bool shown = result.verdict == Verdict::Proved && result.trace &&
+                       !result.trace->steps.empty() &&
+                       !result.obligation.built_in && cones_;
+    if (!shown) return;
+    out_ += '\n';
+    write_trace(file, result);
   }
 
   void write_evidence(const ObligationResult& result) {
