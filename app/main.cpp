@@ -16,9 +16,8 @@ struct Command {
 };
 
 constexpr Command kCommands[] = {
-    {"check", run_check},   {"lint", run_check},
-    {"prove", run_check},   {"equiv", run_equiv},
-    {"lower", run_lower},   {"run", run_simulation},
+    {"check", run_check},   {"lint", run_check},  {"prove", run_check},
+    {"equiv", run_equiv},   {"lower", run_lower}, {"run", run_simulation},
     {"render", run_render}, {"rule", run_rule},
 };
 

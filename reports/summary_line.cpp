@@ -43,8 +43,8 @@ std::string summary_line(const Report& report, const Painter& paint) {
   if (summary.read < summary.files) {
     out += fmt::format("{} of ", summary.read);
   }
-  out += quantity(summary.files, "file") + ", " +
-         quantity(summary.rungs, "rung");
+  out +=
+      quantity(summary.files, "file") + ", " + quantity(summary.rungs, "rung");
   if (report.proved) {
     if (summary.obligations == 0) {
       out += ", no obligations";

@@ -13,7 +13,6 @@
 // it must say; refused inputs are in bad.txt in the same way.
 
 #include <gtest/gtest.h>
-
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -112,8 +111,7 @@ TEST_P(CommandCase, DoesAsRecorded) {
       write_text(sandbox.path() / name.substr(5), text);
     }
   }
-  EXPECT_EQ(sandbox.run(command), expected)
-      << sandbox.out() << sandbox.err();
+  EXPECT_EQ(sandbox.run(command), expected) << sandbox.out() << sandbox.err();
   for (auto& [name, text] : golden.sections) {
     std::string actual;
     if (name == "stdout") {
@@ -165,7 +163,9 @@ TEST(Refused, EachCommandLineEndsInStatusTwoAndSaysWhy) {
   write_text(sandbox.path() / "bad.rung", "Q0 = (I0;\n");
   write_text(sandbox.path() / "yun.rung", "pin3 = pin4;\n");
   write_text(sandbox.path() / "list.il", "LD X0\nOUT Y0\n");
-  write_text(sandbox.path() / "bytes.rung", std::string("\x7f" "ELF\x02\0\xff", 7));
+  write_text(sandbox.path() / "bytes.rung", std::string("\x7f"
+                                                        "ELF\x02\0\xff",
+                                                        7));
   write_text(sandbox.path() / "wrong.props", "always I7\n");
   write_text(sandbox.path() / "wrong.csv", "I9\n1\n");
   fs::create_directories(sandbox.path() / "empty");
@@ -192,8 +192,7 @@ TEST(ExitStatus, IsTheSameInEveryFormat) {
        {"text", "json", "jsonl", "sarif", "junit", "github"}) {
     for (const std::string status : {"0", "1", "2", "3"}) {
       SCOPED_TRACE(format + " " + status);
-      const std::string selection =
-          status == "3" ? " --property always@2" : "";
+      const std::string selection = status == "3" ? " --property always@2" : "";
       EXPECT_EQ(sandbox.run("rungproof prove " + status + ".rung" + selection +
                             " --format " + format),
                 std::stoi(status))
@@ -201,7 +200,8 @@ TEST(ExitStatus, IsTheSameInEveryFormat) {
       EXPECT_NE(sandbox.out(), "");
     }
     EXPECT_EQ(sandbox.run("rungproof prove 1.rung --inject wrong-trace "
-                          "--format " + format),
+                          "--format " +
+                          format),
               4);
   }
 }

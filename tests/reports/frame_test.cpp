@@ -96,8 +96,7 @@ TEST(Frame, OtherPlacesStandInTheOrderOfTheFile) {
 }
 
 TEST(Frame, AnEmptyRangeHasOneMark) {
-  EXPECT_EQ(frame("", {""}),
-            " --> m.rung:1:1\n");
+  EXPECT_EQ(frame("", {""}), " --> m.rung:1:1\n");
   EXPECT_EQ(frame("Q0", {""}),
             " --> m.rung:1:1\n"
             "  |\n"
