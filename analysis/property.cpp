@@ -32,7 +32,7 @@ class PropertyReader {
     // Declarations first: the types and roles of all other lines rest on them.
     for (const Statement& statement : statements_) declare(statement);
     for (const Statement& statement : statements_) add(statement);
-    for (Property& property : builtin_properties(program_)) {
+    for (Property& property : builtin_properties(program_, sources_)) {
       take_names(property);
       set_.properties.push_back(std::move(property));
     }

@@ -27,6 +27,29 @@ class LatchFinder {
     return nodes_[rung.root()].rising && !nodes_[rung.root()].falling;
   }
 
+  /// The contacts beside the target's own, from the outermost inwards: those
+  /// in parallel to it set, those in series hold.
+  struct Contacts {
+    std::vector<SourceRange> set;
+    std::vector<SourceRange> hold;
+    SourceRange own;
+  };
+  /// Preconditions: latches(rung) was the last call, and was true.
+  Contacts contacts(const Rung& rung) const {
+    Contacts found;
+    std::uint32_t at = rung.root();
+    for (;;) {
+      const Node& node = program_.nodes[at];
+      found.own = node.where;
+      if (node.op != NodeOp::And && node.op != NodeOp::Or) return found;
+      if (nodes_[node.a].rising == nodes_[node.b].rising) return found;
+      const bool left = nodes_[node.a].rising;
+      const SourceRange beside = program_.nodes[left ? node.b : node.a].where;
+      (node.op == NodeOp::And ? found.hold : found.set).push_back(beside);
+      at = left ? node.a : node.b;
+    }
+  }
+
  private:
   Dependence dependence(CellId target, const Node& node) const {
     switch (node.op) {
@@ -50,7 +73,8 @@ class LatchFinder {
 
 class Builtins {
  public:
-  explicit Builtins(const Program& program) : program_(program) {}
+  Builtins(const Program& program, const SourceSet& sources)
+      : program_(program), sources_(sources) {}
 
   std::vector<Property> take() {
     std::vector<bool> latched(program_.cells.size(), false);
@@ -83,12 +107,37 @@ class Builtins {
       if (cell.type != Type::Bit || latched[rung.target.index()]) continue;
       if (!finder.latches(rung)) continue;
       latched[rung.target.index()] = true;
-      const std::string what = "`" + cell.name + "` latches itself: ";
+      const std::string what = "`" + cell.name + "` latches itself" +
+                               structure(finder.contacts(rung)) + ": ";
       add(cell.name, "settable", "rose(" + cell.name + ")",
           what + "some run sets it", rung.target_where);
       add(cell.name, "releasable", "fell(" + cell.name + ")",
           what + "some run releases it", rung.target_where);
     }
+  }
+
+  std::string structure(const LatchFinder::Contacts& contacts) const {
+    return listed(", set by", contacts.set, contacts.own) +
+           listed(", held while", contacts.hold, contacts.own);
+  }
+
+  /// As written in the source; nothing where an element's text is all there is.
+  std::string listed(std::string_view lead,
+                     const std::vector<SourceRange>& contacts,
+                     SourceRange own) const {
+    constexpr std::size_t kMaxText = 40;
+    std::string text;
+    for (const SourceRange& where : contacts) {
+      const bool covers = where.begin <= own.begin && own.end <= where.end;
+      if (!where.has_value() || !own.has_value() || covers) return {};
+      const std::string_view contact = sources_.text(where);
+      if (contact.size() > kMaxText || contact.find('\n') != contact.npos) {
+        return {};
+      }
+      text += (text.empty() ? std::string(lead) + " `" : " and `") +
+              std::string(contact) + "`";
+    }
+    return text;
   }
 
   void add(const std::string& subject, std::string_view part,
@@ -104,13 +153,15 @@ class Builtins {
   }
 
   const Program& program_;
+  const SourceSet& sources_;
   std::vector<Property> properties_;
 };
 
 }  // namespace
 
-std::vector<Property> builtin_properties(const Program& program) {
-  return Builtins(program).take();
+std::vector<Property> builtin_properties(const Program& program,
+                                         const SourceSet& sources) {
+  return Builtins(program, sources).take();
 }
 
 }  // namespace rung

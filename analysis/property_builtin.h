@@ -4,6 +4,7 @@
 
 #include "analysis/program.h"
 #include "analysis/property.h"
+#include "base/source.h"
 
 namespace rung {
 
@@ -11,6 +12,7 @@ namespace rung {
 /// itself can be set and released, each output can become true and false, each
 /// timer and counter can fire.
 /// Limits: linear in the program.
-std::vector<Property> builtin_properties(const Program& program);
+std::vector<Property> builtin_properties(const Program& program,
+                                         const SourceSet& sources);
 
 }  // namespace rung

@@ -41,6 +41,40 @@ TEST(Builtins, ComeAfterTheWrittenOnes) {
             std::string::npos);
 }
 
+TEST(Builtins, ALatchSaysWhatSetsAndWhatHoldsIt) {
+  const std::string text = "Q0 = ((IW0 < 20) || Q0 || M1) && !I1;";
+  SourceSet sources;
+  DiagnosticList found;
+  const FileId file = sources.add("latch.rung", text);
+  const auto at = [&](const char* part) {
+    const auto begin = static_cast<std::uint32_t>(text.find(part));
+    const auto size = static_cast<std::uint32_t>(std::string(part).size());
+    return SourceRange{file, begin, begin + size};
+  };
+  SampleProgram sample;
+  sample.program.rungs = {};
+  sample.program.nodes.clear();
+  sample.read("I2");  // stands for the comparison
+  sample.program.nodes.back().where = at("IW0 < 20");
+  sample.read("Q0");
+  sample.program.nodes.back().where = at("Q0 ||");
+  const std::uint32_t set = sample.node({.op = NodeOp::Or, .a = 0, .b = 1});
+  const std::uint32_t also = sample.read("M1");
+  sample.program.nodes.back().where = at("M1");
+  const std::uint32_t any =
+      sample.node({.op = NodeOp::Or, .a = set, .b = also});
+  const std::uint32_t stop = sample.read("I1");
+  const std::uint32_t no_stop = sample.node({.op = NodeOp::Not, .a = stop});
+  sample.program.nodes.back().where = at("!I1");
+  sample.node({.op = NodeOp::And, .a = any, .b = no_stop});
+  sample.rung("Q0", 0);
+  const PropertySet set_of =
+      read_properties(sample.program, {}, sources, found);
+  EXPECT_EQ(set_of.properties.front().text,
+            "`Q0` latches itself, set by `M1` and `IW0 < 20`, held while "
+            "`!I1`: some run sets it");
+}
+
 TEST(Builtins, AToggleIsNoLatch) {
   SampleProgram sample;
   const std::uint32_t begin = sample.read("M1");
