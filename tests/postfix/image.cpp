@@ -64,7 +64,7 @@ std::string compare(const char* what, const ArenaT& a, const ArenaT& b,
 
 }  // namespace
 
-std::string Image::bytes_of(std::vector<unsigned> bytes) {
+std::string Image::bytes_of(const std::vector<unsigned>& bytes) {
   std::string text;
   for (const unsigned byte : bytes) append(text, byte, 1);
   return text;

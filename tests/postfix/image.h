@@ -32,7 +32,7 @@ struct Image {
   /// Added to the sizes that the header claims.
   int code_excess = 0;
 
-  static std::string bytes_of(std::vector<unsigned> bytes);
+  static std::string bytes_of(const std::vector<unsigned>& bytes);
   static std::string number(std::uint32_t value);  // four bytes
   std::string file() const;
 };

@@ -284,28 +284,28 @@ class RandomText {
 
  private:
   std::string rung() {
-    static const std::vector<std::string> kTargets = {"=q0", "=m0", "=w1"};
+    static const std::vector<std::string> targets = {"=q0", "=m0", "=w1"};
     text_.clear();
     types_.clear();
     for (unsigned i = pick(12); i > 0; --i) grow();
     if (types_.empty()) push_bit("i0");
     while (types_.size() > 1) join();
-    const std::string& target = kTargets[pick(3)];
+    const std::string& target = targets[pick(3)];
     to(target == "=w1");
     return text_ + (target == "=w1" ? "wrap16 " : "") + target + "\n";
   }
 
   void grow() {
-    static const std::vector<std::string> kBits = {"i0", "i1",   "q0",
-                                                   "m0", "true", "false"};
-    static const std::vector<std::string> kWords = {"w0", "w1", "3", "-200",
-                                                    "70000"};
+    static const std::vector<std::string> bits = {"i0", "i1",   "q0",
+                                                  "m0", "true", "false"};
+    static const std::vector<std::string> words = {"w0", "w1", "3", "-200",
+                                                   "70000"};
     switch (pick(5)) {
       case 0:
       case 1:
-        return push_bit(kBits[pick(6)]);
+        return push_bit(bits[pick(6)]);
       case 2:
-        text_ += kWords[pick(5)] + " ";
+        text_ += words[pick(5)] + " ";
         return types_.push_back(true);
       case 3:
         if (types_.size() > 1) join();
@@ -327,21 +327,21 @@ class RandomText {
   }
 
   void join() {
-    static const std::vector<std::string> kBitOperators = {"&&", "||", "^"};
-    static const std::vector<std::string> kCompare = {"==", "!=", "<",
-                                                      "<=", ">",  ">="};
-    static const std::vector<std::string> kWordOperators = {"+", "-", "*"};
+    static const std::vector<std::string> bit_operators = {"&&", "||", "^"};
+    static const std::vector<std::string> comparisons = {"==", "!=", "<",
+                                                         "<=", ">",  ">="};
+    static const std::vector<std::string> word_operators = {"+", "-", "*"};
     const bool word = types_[types_.size() - 2];
     to(word);
     types_.pop_back();
     if (!word) {
-      text_ += kBitOperators[pick(3)] + " ";
+      text_ += bit_operators[pick(3)] + " ";
       if (pick(4) == 0) text_ += "! ";
     } else if (pick(2) == 0) {
-      text_ += kCompare[pick(6)] + " ";
+      text_ += comparisons[pick(6)] + " ";
       types_.back() = false;
     } else {
-      text_ += kWordOperators[pick(3)] + " ";
+      text_ += word_operators[pick(3)] + " ";
       if (pick(3) == 0) text_ += "3 / ";
       if (pick(3) == 0) text_ += "neg ";
       if (pick(4) != 0) text_ += "wrap16 ";
