@@ -27,8 +27,8 @@ struct Example {
   std::string text;
 };
 
-void PrintTo(const Example& example, std::ostream* out) {
-  *out << example.name;
+std::ostream& operator<<(std::ostream& out, const Example& example) {
+  return out << example.name;
 }
 
 std::string read_file(const std::filesystem::path& path) {
@@ -80,6 +80,10 @@ struct Outcome {
   std::string errors;
 };
 
+std::string line_of(const std::string& name, const std::string& verdict) {
+  return name + " " + verdict + "\n";
+}
+
 Outcome outcome_of(const Example& example) {
   Outcome outcome;
   SourceSet sources;
@@ -111,8 +115,8 @@ Outcome outcome_of(const Example& example) {
         silent ? (result.obligation.built_in ? "proved" : "(no expect line)")
                : expectation->second;
     const std::string actual(to_string(result.verdict));
-    outcome.expected += name + " " + verdict + "\n";
-    outcome.actual += name + " " + actual + "\n";
+    outcome.expected += line_of(name, verdict);
+    outcome.actual += line_of(name, actual);
     if (verdict != actual) outcome.errors += name + ": " + result.reason + "\n";
   }
   for (const SelfCheckFailure& failure : report.failures) {
