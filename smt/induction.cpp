@@ -67,8 +67,8 @@ class Houdini {
   }
 
   /// Drops items that fail until none does; false when a limit was reached.
-  bool settle(std::vector<Item>& items, std::int64_t conflicts) {
-    for (;;) {
+  bool settle(std::vector<Item>& items, const InductionLimits& limits) {
+    for (std::uint32_t round = 0; round < limits.rounds; ++round) {
       std::vector<int> some_fails;
       for (const Item& item : items) {
         if (!item.alive) continue;
@@ -77,7 +77,7 @@ class Houdini {
       }
       if (some_fails.empty()) return true;
       sat_.constrain(some_fails);
-      const SatAnswer answer = sat_.solve(conflicts);
+      const SatAnswer answer = sat_.solve(limits.conflicts);
       if (answer == SatAnswer::Unsat) return true;
       if (answer == SatAnswer::Unknown) return false;
       for (Item& item : items) {
@@ -87,6 +87,7 @@ class Houdini {
         }
       }
     }
+    return false;
   }
 
  private:
@@ -98,7 +99,8 @@ class Houdini {
 
 /// Scans 0 .. k-1 from power-up.
 bool base(Cone& cone, const Known& known, std::uint32_t k, Candidates& c,
-          std::int64_t conflicts, const Deadline& deadline) {
+          const InductionLimits& limits, const Deadline& deadline) {
+  if (k == 0 && c.lemmas.empty()) return true;
   Houdini session(cone, Unrolling::Start::Initial, deadline);
   for (std::uint32_t frame = 0; frame <= k; ++frame) {
     if (frame > 0) session.require_scan(frame - 1, known);
@@ -118,7 +120,7 @@ bool base(Cone& cone, const Known& known, std::uint32_t k, Candidates& c,
     for (std::size_t i = 0; frame > 0 && i < c.conditions.size(); ++i) {
       add(c.conditions[i], frame - 1, c.condition_holds, i);
     }
-    if (!session.settle(items, conflicts)) return false;
+    if (!session.settle(items, limits)) return false;
     for (std::size_t i = 0; i < items.size(); ++i) {
       (*of[i].first)[of[i].second] = items[i].alive;
     }
@@ -127,7 +129,7 @@ bool base(Cone& cone, const Known& known, std::uint32_t k, Candidates& c,
 }
 
 bool step(Cone& cone, const Known& known, std::uint32_t k, Candidates& c,
-          std::int64_t conflicts, const Deadline& deadline) {
+          const InductionLimits& limits, const Deadline& deadline) {
   Houdini session(cone, Unrolling::Start::Any, deadline);
   for (std::uint32_t frame = 0; frame <= k; ++frame) {
     session.require_scan(frame, known);
@@ -150,7 +152,7 @@ bool step(Cone& cone, const Known& known, std::uint32_t k, Candidates& c,
     session.show_in(item, k + 1, c.lemmas[i]);
     items.push_back(item);
   }
-  if (!session.settle(items, conflicts)) return false;
+  if (!session.settle(items, limits)) return false;
   const std::size_t conditions = c.conditions.size();
   for (std::size_t i = 0; i < items.size(); ++i) {
     if (i < conditions) {
@@ -209,12 +211,12 @@ std::vector<bool> needed_lemmas(Cone& cone, const Known& known,
 }
 
 bool prove_by_induction(Cone& cone, const Known& known, std::uint32_t k,
-                        Candidates& candidates, std::int64_t conflicts,
+                        Candidates& candidates, const InductionLimits& limits,
                         const Deadline& deadline) {
   candidates.condition_holds.assign(candidates.conditions.size(), true);
   candidates.lemma_holds.assign(candidates.lemmas.size(), true);
-  return base(cone, known, k, candidates, conflicts, deadline) &&
-         step(cone, known, k, candidates, conflicts, deadline);
+  return base(cone, known, k, candidates, limits, deadline) &&
+         step(cone, known, k, candidates, limits, deadline);
 }
 
 }  // namespace rung

@@ -24,6 +24,12 @@ struct Candidates {
   std::vector<bool> lemma_holds;
 };
 
+/// Limits of an induction: when one is reached, nothing has been shown.
+struct InductionLimits {
+  std::int64_t conflicts = 20000;  // a query
+  std::uint32_t rounds = 100000;   // queries that drop candidates
+};
+
 /// Drops candidates until the rest, together with `known`, is k-inductive in
 /// the sense of Invariant (smt/invariant.h); one session for all of them.
 /// Returns false when a limit was reached: then nothing has been shown.
@@ -32,7 +38,7 @@ struct Candidates {
 ///         FME 2001; Sheeran, Singh, Stalmarck, "Checking Safety Properties
 ///         Using Induction and a SAT-Solver", FMCAD 2000.
 bool prove_by_induction(Cone& cone, const Known& known, std::uint32_t k,
-                        Candidates& candidates, std::int64_t conflicts,
+                        Candidates& candidates, const InductionLimits& limits,
                         const Deadline& deadline);
 
 /// Which of `known.lemmas` its conditions rest on, closed under the step. All

@@ -30,10 +30,12 @@ void Lanes::evaluate(std::uint32_t first) {
 
 std::int64_t Lanes::value(const Word& word, std::uint32_t lane) const {
   std::uint64_t bits = 0;
-  for (std::size_t i = 0; i < 64; ++i) {
-    const AigLit bit = word[std::min(i, word.size() - 1)];
-    bits |= (value(bit) >> lane & 1U) << i;
+  std::uint64_t sign = 0;
+  for (std::size_t i = 0; i < word.size(); ++i) {
+    sign = value(word[i]) >> lane & 1U;
+    bits |= sign << i;
   }
+  if (sign != 0 && word.size() < 64) bits |= ~std::uint64_t{0} << word.size();
   return static_cast<std::int64_t>(bits);
 }
 

@@ -29,7 +29,9 @@ std::vector<PdrSignal> pdr_signals(TransitionSystem& ts, Cone& cone) {
       (word ? fine : coarse).push_back(signal);
     }
     if (!word) continue;
-    for (std::int64_t c : constants.at(state)) {
+    std::vector<std::int64_t> bounds = constants.at(state);
+    bounds.push_back(ts.vars[var].low + 1);  // is it at its lowest
+    for (std::int64_t c : bounds) {
       const Word bound = word_constant(c);
       PdrSignal signal;
       signal.atom.term = ts.exprs.less_equal(ts.exprs.word(c), ts.of(var));

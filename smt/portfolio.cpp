@@ -14,7 +14,10 @@ std::vector<ExprId> terms(const std::vector<Target*>& targets) {
 
 /// Queries that make one run of the bounded search shorter and calmer.
 constexpr std::uint32_t kMinimiseQueries = 300;
-constexpr std::uint32_t kSimulated = 48;  // steps of random runs
+constexpr std::uint32_t kPreludeSteps = 160;  // of random runs
+constexpr std::uint32_t kPreludeRounds = 20;
+constexpr std::uint32_t kIdleSteps = 20;
+constexpr std::uint32_t kSimulated = 48;
 
 }  // namespace
 
@@ -31,13 +34,19 @@ Portfolio::Portfolio(TransitionSystem& ts, const std::vector<ExprId>& growth,
     faults_.push_back(targets_[i]->term);
     fault_ = cone_.circuit().aig().disjunction(fault_, cone_.roots()[i]);
   }
+  for (std::size_t i = 0; i < targets_.size(); ++i) {
+    if (targets_[i]->status != Target::Status::Unreachable) continue;
+    known_.conditions.push_back(aig_not(cone_.roots()[i]));
+    known_.k = std::max(known_.k, targets_[i]->k);
+    invariant_.conditions.push_back(targets_[i]->never);
+  }
+  invariant_.k = known_.k;
 }
 
 /// Targets that may be unreachable, for all that is known.
 bool Portfolio::any_doubtful() const {
-  return std::any_of(targets_.begin(), targets_.end(), [](const Target* t) {
-    return t->status == Target::Status::Open && !t->seen;
-  });
+  return std::any_of(targets_.begin(), targets_.end(),
+                     [](const Target* t) { return t->doubtful(); });
 }
 
 bool Portfolio::any_to_search() const {
@@ -57,25 +66,27 @@ void Portfolio::unreachable(std::size_t i, std::string_view engine) {
 
 void Portfolio::structural() {
   for (std::size_t i = 0; i < targets_.size(); ++i) {
+    if (targets_[i]->status != Target::Status::Open) continue;
     if (cone_.roots()[i] == kAigFalse) unreachable(i, "structural");
   }
 }
 
-void Portfolio::induction(std::uint32_t k, bool all, std::int64_t conflicts) {
-  learn({}, k, all, conflicts);
+void Portfolio::induction(std::uint32_t k, bool all,
+                          const InductionLimits& limits) {
+  learn({}, k, all, limits);
 }
 
 /// Joint induction over the open targets (without `all`, over those hoped to
 /// be unreachable) and `lemmas`; what survives is known from then on.
 void Portfolio::learn(std::vector<Candidate> lemmas, std::uint32_t k, bool all,
-                      std::int64_t conflicts) {
+                      const InductionLimits& limits) {
   Candidates candidates;
   std::vector<std::size_t> of;
   for (std::size_t i = 0; i < targets_.size(); ++i) {
     const Target& target = *targets_[i];
     const bool hoped = target.purpose == Target::Purpose::Violation ||
                        target.purpose == Target::Purpose::Fault;
-    if (target.status != Target::Status::Open || target.seen) continue;
+    if (!target.doubtful()) continue;
     if (!hoped && !all) continue;
     candidates.conditions.push_back(aig_not(cone_.roots()[i]));
     of.push_back(i);
@@ -84,7 +95,7 @@ void Portfolio::learn(std::vector<Candidate> lemmas, std::uint32_t k, bool all,
   for (const Candidate& lemma : lemmas) {
     candidates.lemmas.push_back(lemma.signal);
   }
-  if (!prove_by_induction(cone_, known_, k, candidates, conflicts,
+  if (!prove_by_induction(cone_, known_, k, candidates, limits,
                           *options_.deadline)) {
     return;
   }
@@ -102,6 +113,7 @@ void Portfolio::learn(std::vector<Candidate> lemmas, std::uint32_t k, bool all,
   for (std::size_t i = 0; i < of.size(); ++i) {
     if (!candidates.condition_holds[i]) continue;
     unreachable(of[i], kNames[std::min<std::uint32_t>(k, 8)]);
+    targets_[of[i]]->k = k;
     any = true;
   }
   if (any) known_.k = std::max(known_.k, k);
@@ -110,44 +122,50 @@ void Portfolio::learn(std::vector<Candidate> lemmas, std::uint32_t k, bool all,
 
 /// Random runs: what they meet is reachable, and they are the samples that
 /// templates are filtered by.
-void Portfolio::simulate(std::uint32_t steps) {
+void Portfolio::simulate(std::uint32_t steps, bool sample) {
   std::vector<std::int64_t> first = first_inputs(cone_, *options_.deadline);
   if (first.empty() && !cone_.inputs().empty()) return;
   simulation_ =
       std::make_unique<Simulation>(cone_, &jump_, fault_, std::move(first));
-  templates_ = std::make_unique<Templates>(ts_, cone_, terms(targets_));
-  for (std::uint32_t i = 0; i < steps; ++i) {
+  if (sample) {
+    templates_ = std::make_unique<Templates>(ts_, cone_, terms(targets_));
+  }
+  std::uint32_t idle = 0;  // steps that met nothing new
+  for (std::uint32_t i = 0; i < steps && !out_of_time(); ++i) {
     simulation_->step();
-    templates_->sample(*simulation_);
+    if (sample) templates_->sample(*simulation_);
+    ++idle;
     for (std::size_t t = 0; t < targets_.size(); ++t) {
-      const std::uint64_t hit = simulation_->value(cone_.roots()[t]);
-      if (hit == 0 || targets_[t]->seen) continue;
-      targets_[t]->seen = true;
-      const auto lane = static_cast<std::uint32_t>(std::countr_zero(hit));
-      seen_.push_back({t, lane, simulation_->steps()});
+      const std::uint64_t hits = simulation_->value(cone_.roots()[t]);
+      if (hits != 0 && targets_[t]->hits == 0) idle = 0;
+      targets_[t]->hits |= hits;
     }
+    if (!sample && idle >= kIdleSteps) break;
   }
 }
 
 /// Runs of the simulation for what the bounded search found too hard.
-void Portfolio::take_seen() {
-  for (const Seen& seen : seen_) {
-    Target& target = *targets_[seen.target];
-    if (target.status != Target::Status::Open) continue;
-    if (target.purpose == Target::Purpose::Fault) continue;
-    Run run = simulation_->run(seen.lane);
-    run.resize(seen.steps);
+void Portfolio::take_hits() {
+  if (simulation_ == nullptr) return;
+  for (Target* target : targets_) {
+    if (target->status != Target::Status::Open || target->hits == 0) continue;
+    if (target->purpose == Target::Purpose::Fault) continue;
+    const auto lane =
+        static_cast<std::uint32_t>(std::countr_zero(target->hits));
+    Run run = simulation_->run(lane);
+    const std::uint32_t steps = first_hit(cone_, run, target->term, faults_);
+    if (steps == 0) continue;
+    run.resize(steps);
     run.back().delta = 0;
-    if (!reaches(cone_, run, target.term, faults_)) continue;
-    target.status = Target::Status::Reached;
-    target.engine = "simulation";
-    target.run = {cone_.inputs(), std::move(run)};
+    target->status = Target::Status::Reached;
+    target->engine = "simulation";
+    target->run = {cone_.inputs(), std::move(run)};
   }
 }
 
 void Portfolio::guess_lemmas() {
   if (templates_ == nullptr) return;
-  learn(templates_->candidates(), 0, true, 20000);
+  learn(templates_->candidates(), 0, true, {});
   templates_.reset();
 }
 
@@ -210,7 +228,7 @@ void Portfolio::property_directed(const PdrLimits& limits) {
   if (signals_.empty()) signals_ = pdr_signals(ts_, cone_);
   for (std::size_t i = 0; i < targets_.size() && !out_of_time(); ++i) {
     Target& target = *targets_[i];
-    if (target.status != Target::Status::Open || target.seen) continue;
+    if (!target.doubtful()) continue;
     PdrResult result = property_directed_reachability(
         cone_, signals_, known_, cone_.roots()[i], limits, *options_.deadline);
     const bool fault = target.purpose == Target::Purpose::Fault;
@@ -241,20 +259,28 @@ void Portfolio::minimise() {
   invariant_.lemmas = std::move(kept);
 }
 
+void Portfolio::prelude() {
+  structural();
+  // Almost all is 1-inductive. Where it is not, dropping one by one from a
+  // whole plant would be quadratic: that is left to its parts.
+  if (uses("induction")) induction(1, false, {20000, kPreludeRounds});
+  if (uses("simulation") && any_to_search()) simulate(kPreludeSteps, false);
+}
+
 void Portfolio::run() {
   structural();
-  if (uses("induction")) induction(0, false, 20000);
-  if (uses("induction")) induction(1, false, 20000);
-  if (any_to_search()) simulate(kSimulated);
+  if (uses("induction")) induction(0, false, {});
+  if (uses("induction")) induction(1, false, {});
+  if (any_to_search()) simulate(kSimulated, any_doubtful());
   if (uses("bmc")) search(8, 2000);
   if (uses("pdr") && any_doubtful()) property_directed({500, 1000});
   if (uses("induction") && any_doubtful()) guess_lemmas();
   if (uses("pdr") && any_doubtful()) property_directed({5000, 5000});
-  for (std::uint32_t k = 2; uses("induction") && k <= 8; ++k) {
-    if (any_doubtful() && !out_of_time()) induction(k, true, 5000);
+  for (std::uint32_t k = 1; uses("induction") && k <= 8; ++k) {
+    if (any_doubtful() && !out_of_time()) induction(k, true, {5000, 1000});
   }
   if (uses("bmc")) search(kSimulated, 5000);
-  if (uses("simulation")) take_seen();
+  if (uses("simulation")) take_hits();
   if (uses("bmc")) search(options_.max_depth, 50000);
   if (uses("pdr") && any_doubtful()) property_directed({100000, 50000});
   minimise();

@@ -32,30 +32,32 @@ class Portfolio {
   Portfolio(TransitionSystem& ts, const std::vector<ExprId>& growth,
             std::vector<Target*> targets, const PortfolioOptions& options);
 
+  /// The cheap part, meant for all targets of a program at once: what is
+  /// decided while it is built, what joint induction shows, what random runs
+  /// meet. One session for all, so it is linear in the program.
+  void prelude();
+  /// The rest, meant for targets that share state.
   void run();
 
+  /// Random runs of prelude(); null when there were none to make.
+  const Simulation* simulation() const { return simulation_.get(); }
   const Cone& cone() const { return cone_; }
   /// Shows every target with status Unreachable.
   const Invariant& invariant() const { return invariant_; }
 
  private:
-  struct Seen {  // of the simulation
-    std::size_t target;
-    std::uint32_t lane;
-    std::uint32_t steps;
-  };
   bool any_doubtful() const;
   bool any_to_search() const;
   bool uses(std::string_view engine) const {
     return options_.engine.empty() || options_.engine == engine;
   }
   void structural();
-  void induction(std::uint32_t k, bool all, std::int64_t conflicts);
-  void simulate(std::uint32_t steps);
-  void take_seen();
+  void induction(std::uint32_t k, bool all, const InductionLimits& limits);
+  void simulate(std::uint32_t steps, bool sample);
+  void take_hits();
   void guess_lemmas();
   void learn(std::vector<Candidate> lemmas, std::uint32_t k, bool all,
-             std::int64_t conflicts);
+             const InductionLimits& limits);
   void property_directed(const PdrLimits& limits);
   void minimise();
   void search(std::uint32_t depth, std::int64_t conflicts);
@@ -71,7 +73,6 @@ class Portfolio {
   JumpCircuit jump_;
   std::unique_ptr<Simulation> simulation_;
   std::unique_ptr<Templates> templates_;
-  std::vector<Seen> seen_;
   std::vector<PdrSignal> signals_;
   AigLit fault_ = kAigFalse;
   std::vector<ExprId> faults_;

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <unordered_map>
 
 #include "smt/verdicts.h"
@@ -20,14 +21,10 @@ class Asker {
       target.hidden = true;
       targets_.push_back(std::move(target));
     }
-    // A violation that is a trigger elsewhere is a violation.
+    // Asked for several purposes, it serves the strictest.
     Target& target = targets_[entry->second];
     target.hidden = target.hidden && hidden;
-    if (purpose == Target::Purpose::Fault) target.purpose = purpose;
-    if (purpose == Target::Purpose::Violation &&
-        target.purpose != Target::Purpose::Fault) {
-      target.purpose = purpose;
-    }
+    target.purpose = std::max(target.purpose, purpose);
     return entry->second;
   }
 
@@ -38,6 +35,10 @@ class Asker {
 };
 
 }  // namespace
+
+bool shows_run(const Obligation& obligation) {
+  return obligation.goal == Goal::Invariant || obligation.kind == "reach";
+}
 
 Questions make_questions(const Program& program, const PropertySet& properties,
                          TransitionSystem& ts) {
@@ -50,7 +51,7 @@ Questions make_questions(const Program& program, const PropertySet& properties,
     const bool asked = obligation.undecided.empty();
     if (asked && obligation.goal == Goal::Reach) {
       goal = asker.ask(obligation.condition, Target::Purpose::Witness,
-                       obligation.built_in);
+                       !shows_run(obligation));
     } else if (asked) {
       goal = asker.ask(ts.exprs.negation(obligation.condition),
                        Target::Purpose::Violation, false);

@@ -78,32 +78,80 @@ Stimulus to_stimulus(const TransitionSystem& ts, const FoundRun& run) {
   return stimulus;
 }
 
-bool reaches(const Cone& cone, const Run& run, ExprId target,
-             const std::vector<ExprId>& never) {
-  const TransitionSystem& ts = cone.ts();
-  std::vector<ExprId> roots = ts.constraints;
-  roots.push_back(target);
-  roots.insert(roots.end(), never.begin(), never.end());
-  Interpreter terms(ts, roots);
-  bool allowed = true;
-  const auto scan = [&] {
-    terms.scan();
-    for (ExprId constraint : ts.constraints) {
-      allowed = allowed && terms.value(constraint) != 0;
-    }
-    for (ExprId fault : never) allowed = allowed && terms.value(fault) == 0;
-  };
-  for (const RunStep& step : run) {
-    for (std::size_t i = 0; i < cone.inputs().size(); ++i) {
-      terms.set_input(cone.inputs()[i], step.inputs[i]);
+namespace {
+
+/// Executes the terms of a run, scan by scan.
+class Execution {
+ public:
+  Execution(const Cone& cone, ExprId target, const std::vector<ExprId>& never)
+      : ts_(cone.ts()),
+        cone_(cone),
+        target_(target),
+        never_(never),
+        terms_(cone.ts(), roots(cone.ts(), target, never)) {}
+
+  /// Does the target hold at the end of the step's scan?
+  bool scan(const RunStep& step) {
+    for (std::size_t i = 0; i < cone_.inputs().size(); ++i) {
+      terms_.set_input(cone_.inputs()[i], step.inputs[i]);
     }
     scan();
-    for (const Beat& beat : beats(step.delta, ts.scan)) {
-      terms.set_input(ts.dt, beat.dt_ms);
+    return terms_.value(target_) != 0;
+  }
+  void stretch(const RunStep& step) {
+    for (const Beat& beat : beats(step.delta, ts_.scan)) {
+      terms_.set_input(ts_.dt, beat.dt_ms);
       for (std::uint64_t i = 0; i < beat.repeat; ++i) scan();
     }
   }
-  return allowed && terms.value(target) != 0;
+  bool allowed() const { return allowed_; }
+
+ private:
+  static std::vector<ExprId> roots(const TransitionSystem& ts, ExprId target,
+                                   const std::vector<ExprId>& never) {
+    std::vector<ExprId> result = ts.constraints;
+    result.insert(result.end(), never.begin(), never.end());
+    result.push_back(target);
+    return result;
+  }
+
+  void scan() {
+    terms_.scan();
+    for (ExprId constraint : ts_.constraints) {
+      allowed_ = allowed_ && terms_.value(constraint) != 0;
+    }
+    for (ExprId fault : never_) allowed_ = allowed_ && terms_.value(fault) == 0;
+  }
+
+  const TransitionSystem& ts_;
+  const Cone& cone_;
+  ExprId target_;
+  const std::vector<ExprId>& never_;
+  Interpreter terms_;
+  bool allowed_ = true;
+};
+
+}  // namespace
+
+bool reaches(const Cone& cone, const Run& run, ExprId target,
+             const std::vector<ExprId>& never) {
+  Execution execution(cone, target, never);
+  bool holds = false;
+  for (const RunStep& step : run) {
+    holds = execution.scan(step);
+    execution.stretch(step);
+  }
+  return holds && execution.allowed();
+}
+
+std::uint32_t first_hit(const Cone& cone, const Run& run, ExprId target,
+                        const std::vector<ExprId>& never) {
+  Execution execution(cone, target, never);
+  for (std::uint32_t i = 0; i < run.size() && execution.allowed(); ++i) {
+    if (execution.scan(run[i]) && execution.allowed()) return i + 1;
+    execution.stretch(run[i]);
+  }
+  return 0;
 }
 
 }  // namespace rung

@@ -33,5 +33,9 @@ Stimulus to_stimulus(const TransitionSystem& ts, const FoundRun& run);
 /// the constraints hold throughout, and none of `never`?
 bool reaches(const Cone& cone, const Run& run, ExprId target,
              const std::vector<ExprId>& never = {});
+/// The first step of the run whose scan ends with `target`, from 1; 0 if none
+/// does, or if the constraints or `never` break the run before.
+std::uint32_t first_hit(const Cone& cone, const Run& run, ExprId target,
+                        const std::vector<ExprId>& never);
 
 }  // namespace rung

@@ -1,8 +1,10 @@
 #include "smt/simulation.h"
 
 #include <algorithm>
+#include <limits>
 
 #include "smt/sat.h"
+#include "smt/thresholds.h"
 #include "smt/unroll.h"
 
 namespace rung {
@@ -32,6 +34,12 @@ Simulation::Simulation(Cone& cone, const JumpCircuit* jump, AigLit never,
   for (const StateBit& bit : cone.bits()) {
     lanes_.set(bit.leaf, bit.init ? kAll : 0);
   }
+  if (jump_ == nullptr) return;
+  const auto compared = thresholds(cone);
+  for (std::uint32_t state : cone.states()) {
+    if (!cone.ts().states[state].clock) continue;
+    clocks_.push_back({cone.circuit().next(state), compared.at(state)});
+  }
 }
 
 std::uint64_t Simulation::random() {
@@ -53,12 +61,24 @@ void Simulation::set_inputs(const std::vector<std::uint64_t>& bits) {
   }
 }
 
-/// New inputs in some lanes: each lane rests in half of the steps, and changes
-/// few inputs in most of the others.
+/// A quarter of the lanes change inputs in every other step, a quarter in one
+/// of four, a quarter in one of eight, and the last one in one of sixteen, all
+/// at once: there long timers expire one after another.
+std::uint64_t Simulation::changing_lanes() {
+  constexpr std::uint64_t kQuarter = 0xffff;
+  const std::uint64_t a = random();
+  const std::uint64_t b = a & random();
+  const std::uint64_t c = b & random();
+  const std::uint64_t calm = steps() % 16 == 0 ? kAll : 0;
+  return (a & kQuarter) | (b & kQuarter << 16U) | (c & kQuarter << 32U) |
+         (calm & kQuarter << 48U);
+}
+
+/// New inputs in some lanes; most changes are of few inputs.
 void Simulation::propose() {
   const TransitionSystem& ts = cone_->ts();
-  const std::uint64_t change = random();
-  const std::uint64_t many = random() & random();
+  const std::uint64_t change = changing_lanes();
+  const std::uint64_t many = steps() == 0 ? kAll : random() & random();
   for (VarId input : cone_->inputs()) {
     const Variable& var = ts.vars[input];
     const Word& leaves = cone_->circuit().leaves(input);
@@ -107,22 +127,46 @@ void Simulation::set_stretch(const std::vector<std::int64_t>& deltas) {
   }
 }
 
-/// The longest allowed delta of each lane, found bit by bit.
-std::vector<std::int64_t> Simulation::longest_stretches() {
-  std::vector<std::int64_t> deltas(Lanes::kCount, 0);
-  lanes_.set(jump_->taken(), kAll);
-  // The jump's gates were made last; a scan's own gates do not depend on it.
-  const std::uint32_t first = aig_node(jump_->taken());
+/// How long until some clock is what it is compared with.
+std::int64_t Simulation::time_to_event(std::uint32_t lane) const {
+  std::int64_t time = std::numeric_limits<std::int64_t>::max();
+  for (const Clock& clock : clocks_) {
+    const std::int64_t now = lanes_.value(clock.next, lane);
+    const auto event =
+        std::upper_bound(clock.thresholds.begin(), clock.thresholds.end(), now);
+    if (event != clock.thresholds.end()) time = std::min(time, *event - now);
+  }
+  return time;
+}
+
+/// The longest sum of dt's that is not longer than `delta`, or 0.
+std::int64_t Simulation::legal_sum(std::int64_t delta) const {
   const ScanInterval& scan = cone_->ts().scan;
-  const std::int64_t unit = scan.min_ms == scan.max_ms ? scan.max_ms : 1;
-  for (std::size_t bit = jump_->delta().size() - 1; bit-- > 0;) {
-    std::vector<std::int64_t> longer = deltas;
-    for (std::int64_t& delta : longer) delta += unit << bit;
-    set_stretch(longer);
-    lanes_.evaluate(first);
+  const std::int64_t shortest = std::max<std::int64_t>(scan.min_ms, 1);
+  const std::int64_t scans = delta / shortest;
+  const std::int64_t fewest = (delta + scan.max_ms - 1) / scan.max_ms;
+  return scans >= fewest ? delta : std::min(delta, scans * scan.max_ms);
+}
+
+/// A delta for each lane in which no comparison flips; 0 where none is found.
+std::vector<std::int64_t> Simulation::longest_stretches() {
+  constexpr int kTries = 3;
+  const std::int64_t most =
+      (std::int64_t{1} << (jump_->delta().size() - 1)) - 1;
+  std::vector<std::int64_t> deltas;
+  for (std::uint32_t lane = 0; lane < Lanes::kCount; ++lane) {
+    deltas.push_back(legal_sum(std::min(time_to_event(lane) - 1, most)));
+  }
+  lanes_.set(jump_->taken(), kAll);
+  for (int i = 0; i < kTries; ++i) {
+    set_stretch(deltas);
+    // The jump's gates were made last; a scan's own do not depend on it.
+    lanes_.evaluate(aig_node(jump_->taken()));
     const std::uint64_t allowed = lanes_.value(jump_->allowed());
+    if (allowed == kAll) break;
     for (std::uint32_t lane = 0; lane < Lanes::kCount; ++lane) {
-      if ((allowed >> lane & 1U) != 0) deltas[lane] = longer[lane];
+      if ((allowed >> lane & 1U) != 0) continue;
+      deltas[lane] = i + 1 < kTries ? legal_sum(deltas[lane] / 4) : 0;
     }
   }
   return deltas;
@@ -135,10 +179,7 @@ void Simulation::advance() {
   if (jump_ != nullptr) {
     std::vector<std::int64_t> deltas = longest_stretches();
     std::uint64_t taken = 0;
-    // Every other stretch at the most: else slow things never interleave.
-    const std::uint64_t wanted = random();
     for (std::uint32_t lane = 0; lane < Lanes::kCount; ++lane) {
-      if ((wanted >> lane & 1U) == 0) deltas[lane] = 0;
       if (deltas[lane] > 0) taken |= std::uint64_t{1} << lane;
     }
     lanes_.set(jump_->taken(), taken);

@@ -46,13 +46,21 @@ class Simulation {
     std::vector<std::int64_t> deltas;   // by lane, behind this scan
   };
 
+  struct Clock {
+    Word next;                             // after the scan
+    std::vector<std::int64_t> thresholds;  // it is compared with
+  };
+
   std::uint64_t random();
+  std::uint64_t changing_lanes();
   void propose();
   void keep_legal(const std::vector<std::uint64_t>& before);
   void set_inputs(const std::vector<std::uint64_t>& bits);
   std::vector<std::uint64_t> inputs() const;
   void advance();
   std::vector<std::int64_t> longest_stretches();
+  std::int64_t time_to_event(std::uint32_t lane) const;
+  std::int64_t legal_sum(std::int64_t delta) const;
   void set_stretch(const std::vector<std::int64_t>& deltas);
 
   Cone* cone_;
@@ -61,6 +69,7 @@ class Simulation {
   AigLit legal_;
   Lanes lanes_;
   std::vector<AigLit> input_bits_;
+  std::vector<Clock> clocks_;
   std::vector<Step> log_;
   std::uint64_t alive_ = ~std::uint64_t{0};
   std::uint64_t seed_ = 0x2545'f491'4f6c'dd1dU;

@@ -11,10 +11,10 @@ namespace rung {
 /// A term of which an engine asks: does it hold at the end of some scan? The
 /// violation of an invariant, the goal of a `reach`, a trigger, a fault.
 struct Target {
-  enum class Purpose : std::uint8_t {
+  enum class Purpose : std::uint8_t {  // from the least strict
+    Trigger,    // hoped to be reachable
+    Witness,    // the same, and its run is replayed
     Violation,  // hoped to be unreachable
-    Witness,    // hoped to be reachable
-    Trigger,    // the same
     Fault,      // hoped to be unreachable; runs to it are not searched
   };
   enum class Status : std::uint8_t { Open, Reached, Unreachable };
@@ -28,8 +28,11 @@ struct Target {
   Status status = Status::Open;
   std::string_view engine;  // that decided it
   FoundRun run;             // Reached
-  bool seen = false;        // Open: a random run reached it
+  std::uint32_t k = 0;      // Unreachable: of the induction that showed it
+  std::uint64_t hits = 0;   // random runs that reached it, by lane
   std::uint32_t bound = 0;  // Open: no run of so many scans reaches it
+
+  bool doubtful() const { return status == Status::Open && hits == 0; }
 };
 
 }  // namespace rung

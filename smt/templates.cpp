@@ -110,7 +110,9 @@ void Templates::make_literals() {
       add_literal(i, x, column.bits);
       continue;
     }
-    for (std::int64_t c : constants.at(cone_->states()[i])) {
+    std::vector<std::int64_t> bounds = constants.at(cone_->states()[i]);
+    bounds.push_back(ts_.exprs[x].low + 1);  // is it at its lowest
+    for (std::int64_t c : bounds) {
       const ExprId term = ts_.exprs.less_equal(ts_.exprs.word(c), x);
       if (ts_.exprs.is_constant(term)) continue;
       Lanes64 holds(alive_.size(), 0);

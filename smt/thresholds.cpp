@@ -37,7 +37,7 @@ std::unordered_map<std::uint32_t, std::vector<std::int64_t>> thresholds(
   std::unordered_map<std::uint32_t, std::vector<std::int64_t>> result;
   for (std::uint32_t state : cone.states()) {
     const Variable& var = ts.vars[ts.states[state].var];
-    if (var.type == Type::Word) result[state].push_back(var.low + 1);
+    if (var.type == Type::Word) result[state] = {};
   }
   for (ExprId id : cone.circuit().terms()) {
     const Expr& e = ts.exprs[id];

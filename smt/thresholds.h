@@ -14,8 +14,8 @@ std::vector<std::uint32_t> states_read(const TransitionSystem& ts, ExprId term,
                                        bool words_only, std::size_t limit);
 
 /// By state index, the numbers c for which `x >= c` tells apart what the cone
-/// tells apart: those that the word is compared with, and 1 above its lowest.
-/// Ascending, a handful for each word; bits have none.
+/// tells apart: those that the word is compared with. Ascending, a handful for
+/// each word; bits have none.
 std::unordered_map<std::uint32_t, std::vector<std::int64_t>> thresholds(
     const Cone& cone);
 

@@ -84,7 +84,25 @@ Verdicts::Verdicts(const Program& program, const PropertySet& properties,
       ts_(ts),
       questions_(questions),
       options_(options),
-      group_of_(questions.targets.size(), 0) {}
+      group_of_(questions.targets.size(), 0),
+      confirmed_(questions.obligations.size(), 0) {}
+
+void Verdicts::replay_together(const FoundRun& run,
+                               const std::vector<std::size_t>& obligations) {
+  Stimulus stimulus = to_stimulus(ts_, run);
+  if (options_.inject_wrong_trace) stimulus.steps.clear();
+  std::vector<ReplayTarget> targets;
+  for (std::size_t i : obligations) {
+    const Obligation& obligation = questions_.obligations[i];
+    targets.push_back({obligation.property, obligation.part});
+  }
+  const ReplayAll replayed =
+      replay_all(program_, properties_, targets, stimulus);
+  if (!replayed.assumptions_hold) return;
+  for (std::size_t i = 0; i < obligations.size(); ++i) {
+    confirmed_[obligations[i]] = replayed.decided_at[i];
+  }
+}
 
 void Verdicts::decided(const std::vector<std::size_t>& group,
                        const Invariant& invariant, bool overflow,
@@ -156,7 +174,12 @@ ObligationResult Verdicts::conclude(std::size_t i) {
   }
   switch (target.status) {
     case Status::Reached:
-      conclude_reached(target, result);
+      if (is_confirmed(i)) {
+        result.verdict = Verdict::Proved;
+        result.scans = confirmed_[i];
+      } else {
+        conclude_reached(target, result);
+      }
       break;
     case Status::Unreachable:
       conclude_unreachable(i, result);
@@ -192,8 +215,7 @@ void Verdicts::replay_into(const Target& target, ObligationResult& result) {
   result.scans = scans_of(stimulus);
   if (options_.inject_wrong_trace) corrupt(stimulus);
   const Obligation& obligation = result.obligation;
-  const bool keeps_trace =
-      !(obligation.built_in && obligation.goal == Goal::Reach);
+  const bool keeps_trace = shows_run(obligation);
   if (!options_.self_check) {
     if (keeps_trace) result.trace = simulate(program_, stimulus);
     return;

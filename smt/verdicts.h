@@ -27,6 +27,10 @@ struct Questions {
 Questions make_questions(const Program& program, const PropertySet& properties,
                          TransitionSystem& ts);
 
+/// Is the run of its answer part of the report? Built-in obligations and the
+/// parts of a latch only say that there is one: a plant has thousands.
+bool shows_run(const Obligation& obligation);
+
 /// Turns what engines found into verdicts, after checking it: traces by
 /// replay, proofs by the certificate's check. What fails its check is reported
 /// as a failure and never as a verdict.
@@ -35,6 +39,14 @@ class Verdicts {
   Verdicts(const Program& program, const PropertySet& properties,
            const TransitionSystem& ts, const Questions& questions,
            const VerifyOptions& options);
+
+  /// Replays a run that meets the goals of these obligations, whose runs are
+  /// not shown, and notes which of them it does meet.
+  void replay_together(const FoundRun& run,
+                       const std::vector<std::size_t>& obligations);
+  bool is_confirmed(std::size_t obligation) const {
+    return confirmed_[obligation] != 0;
+  }
 
   /// Engines are done with these targets; `invariant` shows the unreachable
   /// ones. `overflow`: their terms have no exact encoding.
@@ -71,7 +83,8 @@ class Verdicts {
   const VerifyOptions& options_;
   CertificateSession session_;
   std::vector<Group> groups_;
-  std::vector<std::size_t> group_of_;  // by target
+  std::vector<std::size_t> group_of_;     // by target
+  std::vector<std::uint64_t> confirmed_;  // by obligation: scans of the run
   std::vector<SelfCheckFailure> failures_;
 };
 

@@ -1,5 +1,7 @@
 #include "smt/verify.h"
 
+#include <algorithm>
+#include <array>
 #include <chrono>
 #include <unordered_map>
 #include <utility>
@@ -43,16 +45,15 @@ class Verifier {
 
   VerifyReport run() {
     if (!satisfiable(ts_, deadline_)) return verdicts_.no_run_at_all();
+    prelude();
     std::vector<ExprId> roots;
     for (const Target& target : questions_.targets) {
       roots.push_back(target.term);
     }
     const auto groups = partition(ts_, roots);
-    std::size_t done = 0;
-    for (const std::vector<std::size_t>& group : groups) {
-      if (options_.progress) progress(done, groups.size());
-      decide(group);
-      ++done;
+    for (std::size_t i = 0; i < groups.size(); ++i) {
+      if (options_.progress) progress(i, groups.size());
+      decide(groups[i]);
     }
     return verdicts_.report();
   }
@@ -63,19 +64,107 @@ class Verifier {
                       std::to_string(all));
   }
 
+  PortfolioOptions portfolio_options() const {
+    return {options_.engine, options_.budget.max_depth, &deadline_};
+  }
+
+  /// All targets at once; runs that nobody sees are taken from random ones.
+  void prelude() {
+    std::vector<Target*> targets;
+    for (Target& target : questions_.targets) targets.push_back(&target);
+    Portfolio all(ts_, growth_, std::move(targets), portfolio_options());
+    all.prelude();
+    if (all.cone().circuit().overflow()) return forget();
+    if (all.simulation() == nullptr) return;
+    for (Target& target : questions_.targets) {
+      const bool trigger = target.purpose == Target::Purpose::Trigger;
+      if (trigger && target.hits != 0) reached_by_chance(target);
+    }
+    confirm(all);
+  }
+
+  /// Somewhere a term has no exact encoding: its part will say so, and the
+  /// others are decided without it.
+  void forget() {
+    for (Target& target : questions_.targets) {
+      target.status = Target::Status::Open;
+      target.hits = 0;
+    }
+  }
+
+  static void reached_by_chance(Target& target) {
+    target.status = Target::Status::Reached;
+    target.engine = "simulation";
+  }
+
+  /// Replays the few random runs that meet most of what has no run to show.
+  void confirm(const Portfolio& all) {
+    std::vector<std::size_t> open;
+    for (std::size_t i = 0; i < questions_.obligations.size(); ++i) {
+      const std::size_t goal = questions_.goal[i];
+      if (goal == Questions::kNone) continue;
+      const Target& target = questions_.targets[goal];
+      if (target.hidden && target.hits != 0) open.push_back(i);
+    }
+    for (int runs = 0; runs < kConfirmingRuns && !open.empty(); ++runs) {
+      const std::uint32_t lane = most_hits(open);
+      std::vector<std::size_t> tried;
+      std::vector<std::size_t> rest;
+      for (std::size_t i : open) {
+        (hits(i) >> lane & 1U) != 0 ? tried.push_back(i) : rest.push_back(i);
+      }
+      verdicts_.replay_together(
+          {all.cone().inputs(), all.simulation()->run(lane)}, tried);
+      for (std::size_t i : tried) {
+        Target& target = questions_.targets[questions_.goal[i]];
+        if (verdicts_.is_confirmed(i)) reached_by_chance(target);
+      }
+      open = std::move(rest);
+    }
+  }
+
+  std::uint64_t hits(std::size_t obligation) const {
+    return questions_.targets[questions_.goal[obligation]].hits;
+  }
+
+  std::uint32_t most_hits(const std::vector<std::size_t>& obligations) const {
+    std::array<std::size_t, Lanes::kCount> count{};
+    for (std::size_t i : obligations) {
+      for (std::uint32_t lane = 0; lane < Lanes::kCount; ++lane) {
+        count[lane] += hits(i) >> lane & 1U;
+      }
+    }
+    return static_cast<std::uint32_t>(
+        std::max_element(count.begin(), count.end()) - count.begin());
+  }
+
   void decide(const std::vector<std::size_t>& group) {
     const auto start = std::chrono::steady_clock::now();
     std::vector<Target*> targets;
-    for (std::size_t i : group) targets.push_back(&questions_.targets[i]);
-    const PortfolioOptions portfolio_options{
-        options_.engine, options_.budget.max_depth, &deadline_};
-    Portfolio portfolio(ts_, growth_, std::move(targets), portfolio_options);
-    portfolio.run();
+    bool open = false;
+    Invariant invariant;
+    for (std::size_t i : group) {
+      Target& target = questions_.targets[i];
+      targets.push_back(&target);
+      open = open || target.status == Target::Status::Open;
+      if (target.status != Target::Status::Unreachable) continue;
+      invariant.k = std::max(invariant.k, target.k);
+      invariant.conditions.push_back(target.never);
+    }
+    bool overflow = false;
+    if (open) {
+      Portfolio portfolio(ts_, growth_, std::move(targets),
+                          portfolio_options());
+      portfolio.run();
+      invariant = portfolio.invariant();
+      overflow = portfolio.cone().circuit().overflow();
+    }
     const double share =
         milliseconds_since(start) / static_cast<double>(group.size());
-    verdicts_.decided(group, portfolio.invariant(),
-                      portfolio.cone().circuit().overflow(), share);
+    verdicts_.decided(group, invariant, overflow, share);
   }
+
+  static constexpr int kConfirmingRuns = 16;
 
   const VerifyOptions& options_;
   Deadline deadline_;
@@ -95,7 +184,9 @@ VerifyReport verify(const Program& program, const PropertySet& properties,
 const std::vector<EngineInfo>& engines() {
   static const std::vector<EngineInfo> kEngines = {
       {"bmc", "bounded search for runs, with jumps over quiet scans"},
-      {"induction", "joint k-induction over all properties of a cone"},
+      {"induction", "joint k-induction, with lemmas guessed from random runs"},
+      {"pdr", "property-directed reachability on bits and comparisons"},
+      {"simulation", "random runs, 64 at a time, with the same jumps"},
   };
   return kEngines;
 }
