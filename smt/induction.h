@@ -26,8 +26,11 @@ struct Candidates {
 
 /// Limits of an induction: when one is reached, nothing has been shown.
 struct InductionLimits {
-  std::int64_t conflicts = 20000;  // a query
-  std::uint32_t rounds = 100000;   // queries that drop candidates
+  InductionLimits(std::int64_t most_conflicts = 20000,
+                  std::uint32_t most_rounds = 100000)
+      : conflicts(most_conflicts), rounds(most_rounds) {}
+  std::int64_t conflicts;  // a query
+  std::uint32_t rounds;    // queries that drop candidates
 };
 
 /// Drops candidates until the rest, together with `known`, is k-inductive in
