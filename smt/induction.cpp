@@ -68,29 +68,53 @@ class Houdini {
 
   /// Drops items that fail until none does; false when a limit was reached.
   bool settle(std::vector<Item>& items, const InductionLimits& limits) {
-    for (std::uint32_t round = 0; round < limits.rounds; ++round) {
+    std::size_t shown = 0;  // items before this one follow from the rest
+    for (std::uint32_t round = 0; round < limits.rounds;) {
       std::vector<int> some_fails;
-      for (const Item& item : items) {
-        if (!item.alive) continue;
-        if (item.active != 0) sat_.assume(item.active);
-        if (item.goal_signal != kAigTrue) some_fails.push_back(-item.goal);
-      }
+      const std::size_t next = next_batch(items, shown, some_fails);
       if (some_fails.empty()) return true;
+      for (const Item& item : items) {
+        if (item.alive && item.active != 0) sat_.assume(item.active);
+      }
       sat_.constrain(some_fails);
-      const SatAnswer answer = sat_.solve(limits.conflicts);
-      if (answer == SatAnswer::Unsat) return true;
-      if (answer == SatAnswer::Unknown) return false;
-      for (Item& item : items) {
-        if (item.alive && item.goal_signal != kAigTrue &&
-            !sat_.value(item.goal)) {
-          item.alive = false;
-        }
+      switch (sat_.solve(limits.conflicts)) {
+        case SatAnswer::Unsat:
+          shown = next;
+          break;
+        case SatAnswer::Unknown:
+          return false;
+        case SatAnswer::Sat:
+          drop_failing(items);
+          shown = 0;  // what was shown may have rested on them
+          ++round;
+          break;
       }
     }
     return false;
   }
 
  private:
+  // A few goals a query: refuting thousands at once takes one solver run
+  // through all of the formula for each of them.
+  static constexpr std::size_t kBatch = 64;
+
+  static std::size_t next_batch(const std::vector<Item>& items,
+                                std::size_t from, std::vector<int>& fails) {
+    for (; from < items.size() && fails.size() < kBatch; ++from) {
+      const Item& item = items[from];
+      const bool trivial = item.goal_signal == kAigTrue;
+      if (item.alive && !trivial) fails.push_back(-item.goal);
+    }
+    return from;
+  }
+
+  void drop_failing(std::vector<Item>& items) {
+    for (Item& item : items) {
+      const bool trivial = item.goal_signal == kAigTrue;
+      if (item.alive && !trivial && !sat_.value(item.goal)) item.alive = false;
+    }
+  }
+
   Cone* cone_;
   Unrolling frames_;
   Sat sat_;

@@ -15,7 +15,7 @@ std::vector<ExprId> terms(const std::vector<Target*>& targets) {
 /// Queries that make one run of the bounded search shorter and calmer.
 constexpr std::uint32_t kMinimiseQueries = 300;
 constexpr std::uint32_t kPreludeSteps = 160;  // of random runs
-constexpr std::uint32_t kPreludeRounds = 20;
+constexpr std::uint32_t kFirstRounds = 3;
 constexpr std::uint32_t kIdleSteps = 20;
 constexpr std::uint32_t kSimulated = 48;
 
@@ -28,7 +28,7 @@ Portfolio::Portfolio(TransitionSystem& ts, const std::vector<ExprId>& growth,
       targets_(std::move(targets)),
       options_(options),
       cone_(ts, terms(targets_)),
-      jump_(cone_, growth) {
+      growth_(growth) {
   for (std::size_t i = 0; i < targets_.size(); ++i) {
     if (targets_[i]->purpose != Target::Purpose::Fault) continue;
     faults_.push_back(targets_[i]->term);
@@ -41,6 +41,11 @@ Portfolio::Portfolio(TransitionSystem& ts, const std::vector<ExprId>& growth,
     invariant_.conditions.push_back(targets_[i]->never);
   }
   invariant_.k = known_.k;
+}
+
+const JumpCircuit& Portfolio::jump() {
+  if (jump_ == nullptr) jump_ = std::make_unique<JumpCircuit>(cone_, growth_);
+  return *jump_;
 }
 
 /// Targets that may be unreachable, for all that is known.
@@ -126,7 +131,7 @@ void Portfolio::simulate(std::uint32_t steps, bool sample) {
   std::vector<std::int64_t> first = first_inputs(cone_, *options_.deadline);
   if (first.empty() && !cone_.inputs().empty()) return;
   simulation_ =
-      std::make_unique<Simulation>(cone_, &jump_, fault_, std::move(first));
+      std::make_unique<Simulation>(cone_, &jump(), fault_, std::move(first));
   if (sample) {
     templates_ = std::make_unique<Templates>(ts_, cone_, terms(targets_));
   }
@@ -171,7 +176,7 @@ void Portfolio::guess_lemmas() {
 
 void Portfolio::found(Target& target, Run run) {
   target.status = Target::Status::Reached;
-  target.engine = search_jumps_ && jump_.useful() ? "bmc+jump" : "bmc";
+  target.engine = search_jumps_ && jump().useful() ? "bmc+jump" : "bmc";
   target.run = {cone_.inputs(), std::move(run)};
 }
 
@@ -179,7 +184,7 @@ void Portfolio::found(Target& target, Run run) {
 bool Portfolio::search_depth(std::int64_t conflicts) {
   if (search_ == nullptr) {
     search_ = std::make_unique<BoundedSearch>(
-        cone_, search_jumps_ ? &jump_ : nullptr, fault_, *options_.deadline);
+        cone_, search_jumps_ ? &jump() : nullptr, fault_, *options_.deadline);
   }
   const std::uint32_t depth = depth_ + 1;
   for (;;) {
@@ -261,15 +266,12 @@ void Portfolio::minimise() {
 
 void Portfolio::prelude() {
   structural();
-  // Almost all is 1-inductive. Where it is not, dropping one by one from a
-  // whole plant would be quadratic: that is left to its parts.
-  if (uses("induction")) induction(1, false, {20000, kPreludeRounds});
   if (uses("simulation") && any_to_search()) simulate(kPreludeSteps, false);
 }
 
 void Portfolio::run() {
   structural();
-  if (uses("induction")) induction(0, false, {});
+  if (uses("induction")) induction(0, false, {20000, kFirstRounds});
   if (uses("induction")) induction(1, false, {});
   if (any_to_search()) simulate(kSimulated, any_doubtful());
   if (uses("bmc")) search(8, 2000);

@@ -33,8 +33,7 @@ class Portfolio {
             std::vector<Target*> targets, const PortfolioOptions& options);
 
   /// The cheap part, meant for all targets of a program at once: what is
-  /// decided while it is built, what joint induction shows, what random runs
-  /// meet. One session for all, so it is linear in the program.
+  /// decided while it is built and what random runs meet.
   void prelude();
   /// The rest, meant for targets that share state.
   void run();
@@ -46,6 +45,7 @@ class Portfolio {
   const Invariant& invariant() const { return invariant_; }
 
  private:
+  const JumpCircuit& jump();
   bool any_doubtful() const;
   bool any_to_search() const;
   bool uses(std::string_view engine) const {
@@ -70,7 +70,8 @@ class Portfolio {
   std::vector<Target*> targets_;
   PortfolioOptions options_;
   Cone cone_;
-  JumpCircuit jump_;
+  const std::vector<ExprId>& growth_;
+  std::unique_ptr<JumpCircuit> jump_;  // made when first needed
   std::unique_ptr<Simulation> simulation_;
   std::unique_ptr<Templates> templates_;
   std::vector<PdrSignal> signals_;

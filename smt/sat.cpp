@@ -43,39 +43,54 @@ struct Sat::Impl {
   int variables = 0;
 };
 
-Sat::Sat(const Deadline* deadline) : impl_(std::make_unique<Impl>(deadline)) {
-  impl_->solver.set("quiet", 1);
-  impl_->solver.connect_terminator(&impl_->terminator);
+Sat::Sat(const Deadline* deadline) : deadline_(deadline) {}
+
+Sat::~Sat() {
+  if (impl_ != nullptr) impl_->solver.disconnect_terminator();
 }
 
-Sat::~Sat() { impl_->solver.disconnect_terminator(); }
+/// The solver costs more to make than many a session to decide, and some never
+/// ask it anything.
+Sat::Impl& Sat::impl() const {
+  if (impl_ != nullptr) return *impl_;
+  impl_ = std::make_unique<Impl>(deadline_);
+  CaDiCaL::Solver& solver = impl_->solver;
+  solver.set("quiet", 1);
+  // Thousands of small queries on one formula: simplifying it between them
+  // costs more than it saves.
+  for (const char* option : {"inprocessing", "rephase", "lucky", "walk"}) {
+    solver.set(option, 0);
+  }
+  solver.connect_terminator(&impl_->terminator);
+  return *impl_;
+}
 
-int Sat::new_variable() { return ++impl_->variables; }
+int Sat::new_variable() { return ++impl().variables; }
 
 void Sat::add(std::initializer_list<int> clause) {
-  for (int literal : clause) impl_->solver.add(literal);
-  impl_->solver.add(0);
+  for (int literal : clause) impl().solver.add(literal);
+  impl().solver.add(0);
 }
 
 void Sat::add(const std::vector<int>& clause) {
-  for (int literal : clause) impl_->solver.add(literal);
-  impl_->solver.add(0);
+  for (int literal : clause) impl().solver.add(literal);
+  impl().solver.add(0);
 }
 
-void Sat::assume(int literal) { impl_->solver.assume(literal); }
+void Sat::assume(int literal) { impl().solver.assume(literal); }
 
 void Sat::constrain(const std::vector<int>& clause) {
-  for (int literal : clause) impl_->solver.constrain(literal);
-  impl_->solver.constrain(0);
+  for (int literal : clause) impl().solver.constrain(literal);
+  impl().solver.constrain(0);
 }
 
 SatAnswer Sat::solve(std::int64_t conflicts) {
   // An unused variable must be known to the solver before value() asks it.
-  impl_->solver.reserve(impl_->variables);
+  impl().solver.reserve(impl().variables);
   if (conflicts >= 0) {
-    impl_->solver.limit("conflicts", static_cast<int>(conflicts));
+    impl().solver.limit("conflicts", static_cast<int>(conflicts));
   }
-  switch (impl_->solver.solve()) {
+  switch (impl().solver.solve()) {
     case 10:
       return SatAnswer::Sat;
     case 20:
@@ -85,9 +100,9 @@ SatAnswer Sat::solve(std::int64_t conflicts) {
   }
 }
 
-bool Sat::value(int literal) const { return impl_->solver.val(literal) > 0; }
-bool Sat::failed(int literal) const { return impl_->solver.failed(literal); }
-void Sat::phase(int literal) { impl_->solver.phase(literal); }
+bool Sat::value(int literal) const { return impl().solver.val(literal) > 0; }
+bool Sat::failed(int literal) const { return impl().solver.failed(literal); }
+void Sat::phase(int literal) { impl().solver.phase(literal); }
 
 AigClauses::AigClauses(const Aig& aig, Sat& sat) : aig_(&aig), sat_(&sat) {}
 

@@ -51,7 +51,10 @@ class Sat {
 
  private:
   struct Impl;
-  std::unique_ptr<Impl> impl_;
+  Impl& impl() const;
+
+  const Deadline* deadline_;
+  mutable std::unique_ptr<Impl> impl_;
 };
 
 /// Gives the gates of a graph their clauses in a session, when first asked.

@@ -84,6 +84,7 @@ Verdicts::Verdicts(const Program& program, const PropertySet& properties,
       ts_(ts),
       questions_(questions),
       options_(options),
+      proofs_(ts),
       group_of_(questions.targets.size(), 0),
       confirmed_(questions.obligations.size(), 0) {}
 
@@ -111,38 +112,42 @@ void Verdicts::decided(const std::vector<std::size_t>& group,
   g.overflow = overflow;
   g.milliseconds = milliseconds;
   std::vector<ExprId> goals;
-  std::string name;
   for (std::size_t i : group) {
     group_of_[i] = groups_.size();
     const Target& target = questions_.targets[i];
     if (target.status == Status::Unreachable) goals.push_back(target.never);
   }
-  for (const LemmaClause& lemma : invariant.lemmas) {
-    g.certificate.lemmas.push_back(to_string(ts_, lemma));
-  }
-  if (!goals.empty() && !overflow && options_.self_check) {
+  if (!goals.empty() && !overflow) {
+    for (const LemmaClause& lemma : invariant.lemmas) {
+      g.lemmas.push_back(to_string(ts_, lemma));
+    }
     Invariant checked = invariant;
     if (options_.inject_wrong_invariant) corrupt(checked);
-    const CertificateOptions how{options_.budget.seconds, options_.recheck,
-                                 options_.smtlib_directory,
-                                 "proof" + std::to_string(groups_.size() + 1)};
-    CertificateReport report = session_.check(ts_, checked, goals, how);
-    g.outcome = report.outcome;
-    g.what = std::move(report.what);
-    g.certificate.checked_by = std::move(report.checked_by);
-    g.certificate.smtlib_path = std::move(report.smtlib_path);
-    g.milliseconds += report.milliseconds / static_cast<double>(group.size());
+    g.proof = proofs_.add(std::move(checked), std::move(goals),
+                          "proof" + std::to_string(groups_.size() + 1));
   }
   groups_.push_back(std::move(g));
 }
 
 VerifyReport Verdicts::report() {
+  if (options_.self_check) {
+    proofs_.check({options_.budget.seconds,
+                   options_.recheck,
+                   options_.smtlib_directory,
+                   {}});
+  }
   VerifyReport report;
   for (std::size_t i = 0; i < questions_.obligations.size(); ++i) {
     report.results.push_back(conclude(i));
   }
   report.failures = std::move(failures_);
   return report;
+}
+
+bool Verdicts::accepted(const Group& group) const {
+  return !options_.self_check ||
+         (group.proof != Questions::kNone &&
+          proofs_.report(group.proof).outcome == CertificateOutcome::Accepted);
 }
 
 VerifyReport Verdicts::no_run_at_all() {
@@ -262,11 +267,7 @@ std::string Verdicts::open_fault(const Target& target) const {
   for (std::size_t i = 0; i < ts_.faults.size(); ++i) {
     const Target& fault = questions_.targets[questions_.fault[i]];
     const Group& group = groups_[group_of_[questions_.fault[i]]];
-    if (fault.status == Status::Unreachable &&
-        (group.outcome == CertificateOutcome::Accepted ||
-         !options_.self_check)) {
-      continue;
-    }
+    if (fault.status == Status::Unreachable && accepted(group)) continue;
     if (seen.empty()) seen = dependencies(ts_, target.term);
     for (ExprId comparison : comparisons(ts_, ts_.faults[i].condition)) {
       if (seen.count(comparison) == 0) continue;
@@ -283,20 +284,20 @@ void Verdicts::conclude_unreachable(std::size_t i, ObligationResult& result) {
   const std::size_t goal = questions_.goal[i];
   const Target& target = questions_.targets[goal];
   const Group& group = groups_[group_of_[goal]];
-  if (options_.self_check) {
-    if (group.outcome == CertificateOutcome::Rejected) {
-      return fail(result, "certificate rejected: " + group.what);
+  const CertificateReport& checked = proofs_.report(group.proof);
+  if (!accepted(group)) {
+    if (checked.outcome == CertificateOutcome::Rejected) {
+      return fail(result, "certificate rejected: " + checked.what);
     }
-    if (group.outcome == CertificateOutcome::Undecided) {
-      result.reason = "the certificate could not be checked: " + group.what;
-      return;
-    }
+    result.reason = "the certificate could not be checked: " + checked.what;
+    return;
   }
   if (std::string fault = open_fault(target); !fault.empty()) {
     result.reason = std::move(fault);
     return;
   }
-  result.certificate = group.certificate;
+  result.certificate = {group.lemmas, checked.checked_by, checked.smtlib_path};
+  result.milliseconds += checked.milliseconds;
   if (result.obligation.goal == Goal::Reach) {
     result.verdict = Verdict::Violated;
     result.reason = "no run gets there";
@@ -306,10 +307,11 @@ void Verdicts::conclude_unreachable(std::size_t i, ObligationResult& result) {
   const std::size_t trigger = questions_.trigger[i];
   if (trigger == Questions::kNone) return;
   const Target& left = questions_.targets[trigger];
-  if (left.status == Status::Unreachable) {
+  const Group& left_group = groups_[group_of_[trigger]];
+  if (left.status == Status::Unreachable && accepted(left_group)) {
     result.verdict = Verdict::Vacuous;
     result.reason = "its left side can never be true";
-  } else if (left.status == Status::Open) {
+  } else if (left.status != Status::Reached) {
     result.reason = "whether its left side can be true was not decided";
   }
 }

@@ -6,8 +6,8 @@
 
 #include "analysis/property.h"
 #include "analysis/transition_system.h"
-#include "smt/certificate.h"
 #include "smt/invariant.h"
+#include "smt/proofs.h"
 #include "smt/target.h"
 #include "smt/verify.h"
 
@@ -60,13 +60,13 @@ class Verdicts {
 
  private:
   struct Group {  // of targets that one invariant shows
-    Certificate certificate;
-    CertificateOutcome outcome = CertificateOutcome::Undecided;
-    std::string what;
+    std::vector<std::string> lemmas;
+    std::size_t proof = Questions::kNone;
     bool overflow = false;
     double milliseconds = 0;  // a target
   };
 
+  bool accepted(const Group& group) const;
   ObligationResult conclude(std::size_t i);
   void conclude_reached(const Target& target, ObligationResult& result);
   void conclude_unreachable(std::size_t i, ObligationResult& result);
@@ -81,7 +81,7 @@ class Verdicts {
   const TransitionSystem& ts_;
   const Questions& questions_;
   const VerifyOptions& options_;
-  CertificateSession session_;
+  Proofs proofs_;
   std::vector<Group> groups_;
   std::vector<std::size_t> group_of_;     // by target
   std::vector<std::uint64_t> confirmed_;  // by obligation: scans of the run
