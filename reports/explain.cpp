@@ -120,9 +120,9 @@ std::string explain_violation(const FileReport& file,
 
 const std::vector<std::string>& formulas_of(const FileReport& file,
                                             const Obligation& obligation) {
-  static const std::vector<std::string> kNone;
+  static const std::vector<std::string> none;
   const Property* property = property_of(file, obligation);
-  return property == nullptr ? kNone : property->formulas;
+  return property == nullptr ? none : property->formulas;
 }
 
 std::string verdict_phrase(const ObligationResult& result) {
@@ -132,7 +132,7 @@ std::string verdict_phrase(const ObligationResult& result) {
                        quantity(result.scans, "scan"));
   }
   if (!result.reason.empty()) {
-    out += (result.verdict == Verdict::Bounded ? ": " : ": ") + result.reason;
+    out += ": " + result.reason;
   }
   return out;
 }

@@ -203,7 +203,7 @@ std::string write_jsonl(const Report& report) {
                                {"event", "start"},
                                {"command", report.command},
                                {"tool", writer.tool()}});
-  writer.each([&](std::string_view event, Json json) {
+  writer.each([&](std::string_view event, const Json& json) {
     Json line = {{"event", event}};
     line.update(json);
     out += dump_line(line);

@@ -9,55 +9,55 @@ namespace rung {
 namespace {
 
 /// How tightly an operator binds; names and calls most.
-enum Strength : std::uint8_t {
-  kOr,
-  kXor,
-  kAnd,
-  kCompare,
-  kAdd,
-  kTimes,
-  kUnary,
-  kAtom
+enum class Strength : std::uint8_t {
+  Or,
+  Xor,
+  And,
+  Compare,
+  Add,
+  Times,
+  Unary,
+  Atom,
 };
 
 struct Piece {
   std::string text;
-  Strength strength = kAtom;
+  Strength strength = Strength::Atom;
 };
 
 struct Infix {
   std::string_view sign;
-  Strength strength = kAtom;
+  Strength strength = Strength::Atom;
 };
 
 Infix infix(NodeOp op) {
   switch (op) {
     case NodeOp::And:
-      return {"&&", kAnd};
+      return {"&&", Strength::And};
     case NodeOp::Or:
-      return {"||", kOr};
+      return {"||", Strength::Or};
     case NodeOp::Xor:
-      return {"^", kXor};
+      return {"^", Strength::Xor};
     case NodeOp::Equal:
-      return {"==", kCompare};
+      return {"==", Strength::Compare};
     case NodeOp::NotEqual:
-      return {"!=", kCompare};
+      return {"!=", Strength::Compare};
     case NodeOp::Less:
-      return {"<", kCompare};
+      return {"<", Strength::Compare};
     case NodeOp::LessEqual:
-      return {"<=", kCompare};
+      return {"<=", Strength::Compare};
     case NodeOp::Greater:
-      return {">", kCompare};
+      return {">", Strength::Compare};
     case NodeOp::GreaterEqual:
-      return {">=", kCompare};
+      return {">=", Strength::Compare};
     case NodeOp::Add:
-      return {"+", kAdd};
+      return {"+", Strength::Add};
     case NodeOp::Subtract:
-      return {"-", kAdd};
+      return {"-", Strength::Add};
     case NodeOp::Multiply:
-      return {"*", kTimes};
+      return {"*", Strength::Times};
     case NodeOp::Divide:
-      return {"/", kTimes};
+      return {"/", Strength::Times};
     case NodeOp::Constant:
     case NodeOp::Read:
     case NodeOp::Not:
@@ -115,27 +115,29 @@ class Printer {
   Piece piece_of(const Node& node) const {
     switch (node.op) {
       case NodeOp::Constant:
-        return {constant(node), kAtom};
+        return {constant(node), Strength::Atom};
       case NodeOp::Read:
-        return {printable(program_.cells[node.cell].name), kAtom};
+        return {printable(program_.cells[node.cell].name), Strength::Atom};
       case NodeOp::Not:
-        return {"!" + enclosed(at(node.a), kUnary), kUnary};
+        return {"!" + enclosed(at(node.a), Strength::Unary), Strength::Unary};
       case NodeOp::Negate:
-        return {"-" + enclosed(at(node.a), kUnary), kUnary};
+        return {"-" + enclosed(at(node.a), Strength::Unary), Strength::Unary};
       case NodeOp::Wrap16:
       case NodeOp::ToWord:
         return at(node.a);  // a conversion that scripts do not write
       case NodeOp::ToBit:
-        return {enclosed(at(node.a), kAdd) + " != 0", kCompare};
+        return {enclosed(at(node.a), Strength::Add) + " != 0",
+                Strength::Compare};
       case NodeOp::Call:
-        return {call(program_.calls[node.call]), kAtom};
+        return {call(program_.calls[node.call]), Strength::Atom};
       case NodeOp::Branch:
         return {};
       default:
         break;
     }
     const Infix sign = infix(node.op);
-    const auto tighter = static_cast<Strength>(sign.strength + 1);
+    const auto tighter =
+        static_cast<Strength>(static_cast<std::uint8_t>(sign.strength) + 1);
     return {fmt::format("{} {} {}", enclosed(at(node.a), sign.strength),
                         sign.sign, enclosed(at(node.b), tighter)),
             sign.strength};

@@ -39,8 +39,8 @@ class Canvas {
       : width_(width),
         height_(height),
         ascii_(ascii),
-        wires_(static_cast<std::size_t>(width * height), 0),
-        texts_(static_cast<std::size_t>(width * height)) {}
+        wires_(cells(width, height), 0),
+        texts_(cells(width, height)) {}
 
   void connect(int x, int y, unsigned directions) {
     if (inside(x, y)) wires_[index(x, y)] |= directions;
@@ -90,12 +90,16 @@ class Canvas {
  private:
   static constexpr std::string_view kCovered = "\x01";
 
+  static std::size_t cells(int width, int height) {
+    return static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
+  }
   void covered(int x, int y) { texts_[index(x, y)] = kCovered; }
   bool inside(int x, int y) const {
     return x >= 0 && x < width_ && y >= 0 && y < height_;
   }
   std::size_t index(int x, int y) const {
-    return static_cast<std::size_t>(y * width_ + x);
+    return static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) +
+           static_cast<std::size_t>(x);
   }
 
   int width_;
