@@ -111,4 +111,24 @@ std::vector<std::uint32_t> cell_components(const Program& program) {
   return components;
 }
 
+std::vector<bool> cells_in_loops(const Program& program,
+                                 const std::vector<std::uint32_t>& component) {
+  std::vector<bool> in_loop(program.cells.size());
+  std::vector<std::uint32_t> members(
+      program.cells.size() + program.instances.size(), 0);
+  for (const std::uint32_t it : component) ++members[it];
+  for (std::size_t i = 0; i < component.size(); ++i) {
+    in_loop[i] = members[component[i]] > 1;
+  }
+  for (const Rung& rung : program.rungs) {
+    for (std::uint32_t i = rung.begin; i < rung.end; ++i) {
+      const Node& node = program.nodes[i];
+      if (node.op == NodeOp::Read && node.cell == rung.target) {
+        in_loop[rung.target.index()] = true;
+      }
+    }
+  }
+  return in_loop;
+}
+
 }  // namespace rung

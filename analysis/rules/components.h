@@ -14,4 +14,8 @@ namespace rung {
 /// Source: R. Tarjan, "Depth-first search and linear graph algorithms", 1972.
 std::vector<std::uint32_t> cell_components(const Program& program);
 
+/// By cell: does it depend on itself? `component` is cell_components().
+std::vector<bool> cells_in_loops(const Program& program,
+                                 const std::vector<std::uint32_t>& component);
+
 }  // namespace rung

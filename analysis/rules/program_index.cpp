@@ -154,6 +154,7 @@ ProgramIndex::ProgramIndex(const Program& program,
     names.emplace(program.cells[id].name, id);
   }
   Indexer(program, *this).run();
+  in_loop = cells_in_loops(program, component);
   add_plant(program, *this);
   for (const AstAnnotation& line : program.annotations) {
     // What a suppression says about a cell is no use of it.

@@ -61,6 +61,7 @@ struct ProgramIndex {
   }
 
   std::vector<std::uint32_t> component;  // by cell: cell_components()
+  std::vector<bool> in_loop;             // by cell: it depends on itself
   std::vector<bool> read_by_others;      // by cell: in a rung of another target
   std::unordered_map<std::string_view, CellId> names;
 

@@ -14,6 +14,7 @@ RuleRun::RuleRun(const RuleContext& context, DiagnosticSink& sink)
       ts(context.ts),
       index(context.program, context.properties),
       latches(find_latches(context.program, index)),
+      has_oracle(context.oracle != nullptr),
       sink_(sink),
       explained_(context.program.rungs.size()) {}
 

@@ -47,6 +47,7 @@ class RuleRun {
   TransitionSystem& ts;
   const ProgramIndex index;
   const std::vector<Latch> latches;
+  const bool has_oracle;  // will anyone answer?
 
   void report(SourceRange where, std::string message, Details details);
   void report(SourceRange where, std::string message);

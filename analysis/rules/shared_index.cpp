@@ -24,14 +24,12 @@ Good:
     Q1 = T(1, 8, I1);
 
 ## Limits
-Resets (`TR`, `CR`) are meant to name the index of another call. Edge memories
-are told by `shared-edge-memory`.
+Resets (`TR`, `CR`) are meant to name the index of another call.
 )md";
 
 void check(RuleRun& run) {
   for (const InstanceId id : ids_of(run.program.instances)) {
     const Instance& instance = run.program.instances[id];
-    if (instance.kind->family == ElementFamily::Edge) continue;
     const Twins twins = conflicting_calls(run, id);
     if (!twins.second.has_value() || !twins.differ) continue;
     run.report(

@@ -1,3 +1,5 @@
+#include <unordered_set>
+
 #include "analysis/rules/support.h"
 
 namespace rung {
@@ -5,8 +7,7 @@ namespace {
 
 constexpr std::string_view kDoc = R"md(
 ## Finds
-A cell that has a `//Var` value or a declaration, and that nothing else
-mentions.
+A name that gets a `//Var` value and that neither a rung nor the plant uses.
 
 ## Why it matters
 It is a leftover, or the rungs use another name for what was meant.
@@ -20,27 +21,28 @@ Bad:
 
 Good:
 
-    Q0 = I0 && M7;
     M7 = !I1;
+    Q0 = I0 && M7;
     //Var
     M7 = true;
 
 ## Limits
-Variables of the plant alone are not looked at.
+A use in a comment is no use.
 )md";
 
 void check(RuleRun& run) {
-  for (const CellId id : ids_of(run.program.cells)) {
-    const Cell& cell = run.program.cells[id];
-    if (cell.role != CellRole::Memory || !cell.initialised ||
-        !run.index.reads[id.index()].empty() ||
-        !run.index.writers[id.index()].empty() ||
-        run.index.plant_reads[id.index()] ||
-        run.index.plant_writes[id.index()] || run.index.mentioned[id.index()]) {
-      continue;
-    }
-    run.report(cell.where,
-               quoted(cell.name) + " is given a value and not used");
+  const Plant& plant = run.program.plant;
+  std::unordered_set<std::string_view> used;
+  for (const AstNode& node : plant.nodes) {
+    if (node.op == AstOp::Name) used.insert(node.text);
+  }
+  for (const PlantStatement& statement : plant.statements) {
+    used.insert(statement.target);
+  }
+  for (const PlantStatement& initial : plant.initials) {
+    if (used.contains(initial.target) || !initial.value.has_value()) continue;
+    run.report(plant.nodes[initial.value.root()].where,
+               quoted(initial.target) + " is given a value and never used");
   }
 }
 

@@ -1,0 +1,71 @@
+#include "analysis/rules/support.h"
+
+namespace rung {
+namespace {
+
+constexpr std::string_view kDoc = R"md(
+## Finds
+A latch that mixes `&&` and `||` without parentheses: `I0 || Q0 && !I1`.
+
+## Why it matters
+`&&` binds tighter, so the stop breaks only what stands beside it. Whether that
+was meant cannot be seen.
+
+## Example
+Bad:
+
+    //@ latch Q0 set I0 reset I1 dominant set
+    Q0 = I0 || Q0 && !I1;
+
+Good:
+
+    //@ latch Q0 set I0 reset I1 dominant set
+    Q0 = I0 || (Q0 && !I1);
+
+## Limits
+Only rungs that hold themselves: elsewhere the mix is usual and harmless.
+)md";
+
+char before(std::string_view text, std::uint32_t at) {
+  while (at > 0 && (text[at - 1] == ' ' || text[at - 1] == '\t')) --at;
+  return at == 0 ? ' ' : text[at - 1];
+}
+
+char behind(std::string_view text, std::uint32_t at) {
+  while (at < text.size() && (text[at] == ' ' || text[at] == '\t')) ++at;
+  return at == text.size() ? ' ' : text[at];
+}
+
+bool in_parentheses(const RuleRun& run, SourceRange where) {
+  const std::string_view text = run.sources[where.file].text();
+  return (before(text, where.begin) == '(' && behind(text, where.end) == ')') ||
+         (text[where.begin] == '(' && text[where.end - 1] == ')');
+}
+
+void check(RuleRun& run) {
+  for (const Latch& latch : run.latches) {
+    const Rung& rung = run.program.rungs[latch.rung];
+    for (std::uint32_t i = rung.begin; i < rung.end; ++i) {
+      const Node& node = run.program.nodes[i];
+      const std::uint32_t parent = run.index.parent[i];
+      if (node.op != NodeOp::And || parent == ProgramIndex::kNone ||
+          run.program.nodes[parent].op != NodeOp::Or ||
+          !node.where.has_value() || in_parentheses(run, node.where)) {
+        continue;
+      }
+      run.report(
+          node.where, "`&&` beside `||` without parentheses in a latch",
+          {.help = "write " +
+                   quoted("(" + std::string(text_of(run, node.where)) + ")") +
+                   ", or put the stop outside"});
+      break;
+    }
+  }
+}
+
+}  // namespace
+
+constinit const Rule mixed_operators = {
+    "RP703", "mixed-operators", Severity::Note, Decision::Syntax, kDoc, check};
+
+}  // namespace rung
