@@ -171,6 +171,7 @@ void ProgramBuilder::set_initial(const Symbol& symbol) {
   if (value && value->is_whole() && value->numerator >= cell.low &&
       value->numerator <= cell.high) {
     cell.initial = value->numerator;
+    cell.initialised = true;
     const AstNode& root = ast_->nodes[symbol.initial->value.root()];
     if ((root.op == AstOp::Bool) != (cell.type == Type::Bit)) {
       expressions_.note_mixed(symbol.initial->where);

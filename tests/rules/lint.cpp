@@ -1,0 +1,66 @@
+#include "lint.h"
+
+#include <algorithm>
+
+#include "analysis/property.h"
+#include "analysis/transition_system.h"
+#include "explicit_oracle.h"
+#include "frontend/script/reader.h"
+
+namespace rung::testing {
+namespace {
+
+std::string place(const SourceSet& sources, SourceRange where) {
+  if (!where.has_value()) return "?";
+  const LineColumn at = sources[where.file].position(where.begin);
+  return std::to_string(at.line) + ":" + std::to_string(at.column);
+}
+
+}  // namespace
+
+Linted& lint(std::string_view text, Linted& linted, bool with_oracle) {
+  const FileId file = linted.sources.add("test.rung", std::string(text));
+  DiagnosticList sink;
+  const Ast ast = read_script(linted.sources, file, "", sink);
+  BuildOptions options;
+  options.scan = {100, 100};
+  if (!sink.has_errors()) {
+    Program program = build_program(ast, options, sink);
+    const PropertySet properties =
+        read_properties(program, {}, linted.sources, sink);
+    if (!sink.has_errors()) {
+      TransitionSystem ts = build_transition_system(program);
+      make_obligations(program, properties, ts);
+      ExplicitOracle oracle(ts);
+      linted.summary = run_rules({linted.sources, program, properties, ts,
+                                  with_oracle ? &oracle : nullptr},
+                                 sink);
+    }
+  }
+  linted.findings = sink.take();
+  return linted;
+}
+
+bool has_finding(const Linted& linted, std::string_view rule) {
+  return std::any_of(
+      linted.findings.begin(), linted.findings.end(),
+      [&](const Diagnostic& finding) { return finding.rule == rule; });
+}
+
+std::string to_text(const Linted& linted) {
+  std::string text;
+  for (const Diagnostic& finding : linted.findings) {
+    text += place(linted.sources, finding.where) + " " +
+            std::string(to_string(finding.severity)) + " " +
+            std::string(finding.code) + " " + std::string(finding.rule) + ": " +
+            finding.message + "\n";
+    for (const Label& label : finding.labels) {
+      text +=
+          "  " + place(linted.sources, label.where) + " " + label.text + "\n";
+    }
+    if (!finding.help.empty()) text += "  help: " + finding.help + "\n";
+  }
+  return text;
+}
+
+}  // namespace rung::testing
