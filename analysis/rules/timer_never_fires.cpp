@@ -23,7 +23,7 @@ Bad:
 Good:
 
     M0 = T(0, 2, I0);
-    M1 = T(1, 5, I0);
+    M1 = T(1, 5, I0 && M0);
     Q0 = M1;
 
 ## Limits

@@ -19,8 +19,8 @@ Bad:
 
 Good:
 
-    M0 = I0 && !I2;
-    Q0 = M0 && T(0, 5, I1);
+    M0 = T(0, 5, I1);
+    Q0 = I0 && M0;
 
 ## Limits
 Only languages that evaluate `&&` and `||` short-circuit, as the sim dialect

@@ -10,17 +10,17 @@ constexpr std::string_view kDoc = R"md(
 A word that stands where a bit is needed, or a bit that is used as a number.
 
 ## Why it matters
-It works by conversion: any number but 0 is true. Which numbers were meant is
-not said.
+It works by conversion: true counts as 1, and any number but 0 as true. What was
+meant is not said, and a ladder cannot show it.
 
 ## Example
 Bad:
 
-    Q0 = IW0 && I0;
+    Q0 = I0 + I1 + I2 >= 2;
 
 Good:
 
-    Q0 = IW0 > 0 && I0;
+    Q0 = I0 && I1 || I1 && I2 || I0 && I2;
 
 ## Limits
 A comparison of a bit with a literal is told by `literal-comparison`.
@@ -54,7 +54,7 @@ void check(RuleRun& run) {
 
 }  // namespace
 
-constinit const Rule word_as_bit = {
-    "RP705", "word-as-bit", Severity::Note, Decision::Syntax, kDoc, check};
+constinit const Rule mixed_types = {
+    "RP705", "mixed-types", Severity::Note, Decision::Syntax, kDoc, check};
 
 }  // namespace rung
