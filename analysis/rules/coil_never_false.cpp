@@ -24,7 +24,8 @@ Good:
     Q0 = !M0 && I1;
 
 ## Limits
-A rung that is the literal `true` is told by `constant-coil`.
+A rung that is the literal `true` is told by `constant-coil`. Nothing is said of
+a rung that only follows another cell, or one timer or counter.
 )md";
 
 void check(RuleRun& run) {
@@ -33,7 +34,9 @@ void check(RuleRun& run) {
         run.index.writers[id.index()];
     if (writers.empty() || run.program.cells[id].type != Type::Bit) continue;
     const std::uint32_t last = writers.back();
-    if (is_literal(run, RungId(last))) continue;
+    if (is_literal(run, RungId(last)) || only_follows(run, RungId(last))) {
+      continue;
+    }
     run.ask(
         RuleRun::Want::Proof, {run.ts.cell_end[id.index()]},
         [id, last](RuleRun& now, std::span<const RuleRun::Evidence> answers) {

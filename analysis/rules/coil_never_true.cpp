@@ -25,8 +25,10 @@ Good:
     Q0 = M0 && I2;
 
 ## Limits
-Rungs that hold themselves are told by `latch-never-set`. Nothing is said where
-another rule has named the reason in the rung already.
+Rungs that hold themselves are told by `latch-never-set`, a timer or counter
+alone in its rung by `timer-never-fires` and `counter-never-done`. Nothing is
+said of a rung that only follows another cell, nor where another rule has named
+the reason in the rung already.
 )md";
 
 void check(RuleRun& run) {
@@ -37,7 +39,10 @@ void check(RuleRun& run) {
         run.index.writers[id.index()];
     if (writers.empty() || run.program.cells[id].type != Type::Bit) continue;
     const std::uint32_t last = writers.back();
-    if (latch[last] || is_literal(run, RungId(last))) continue;
+    if (latch[last] || is_literal(run, RungId(last)) ||
+        only_follows(run, RungId(last))) {
+      continue;
+    }
     run.ask(
         RuleRun::Want::Proof,
         {run.ts.exprs.negation(run.ts.cell_end[id.index()])},

@@ -46,6 +46,8 @@ void check(RuleRun& run) {
     if (parent == ProgramIndex::kNone) continue;
     const NodeOp op = nodes[parent].op;
     if (!is_and_or(op) && op != NodeOp::Not) continue;
+    run.explain(RungId(run.index.rung_of[i]));
+    if (nodes[parent].where == node.where) continue;  // a reader's, as in Cmp
     run.report(node.where, std::string("this literal ") +
                                std::string(effect(op, node.value != 0)));
   }

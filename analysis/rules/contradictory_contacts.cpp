@@ -34,22 +34,29 @@ A whole rung that the solver proves to be never true is told by
 
 /// Asks about the series at `node`, which is a part of a rung.
 void ask_series(RuleRun& run, std::uint32_t node) {
-  std::vector<ExprId> claims = {run.ts.exprs.negation(run.ts.node_value[node])};
+  const RungId rung(run.index.rung_of[node]);
+  const ExprId whole = run.ts.rung_value[rung.index()];
+  std::vector<ExprId> claims = {run.ts.exprs.negation(run.ts.node_value[node]),
+                                run.ts.exprs.negation(whole)};
   for (const std::uint32_t part : operands(run.program, node, NodeOp::And)) {
     claims.push_back(run.ts.exprs.negation(run.ts.node_value[part]));
   }
-  run.ask(RuleRun::Want::Proof, std::move(claims),
-          [node](RuleRun& now, std::span<const RuleRun::Evidence> answers) {
-            if (answers[0].answer != RuleRun::Answer::Yes) return;
-            for (const RuleRun::Evidence& part : answers.subspan(1)) {
-              // A part that is never true is the reason, and has its own
-              // finding.
-              if (part.answer != RuleRun::Answer::No) return;
-            }
-            now.report(now.program.nodes[node].where,
-                       "these contacts in series are never true together",
-                       {.help = proof_text(answers[0])});
-          });
+  run.ask(
+      RuleRun::Want::Proof, std::move(claims),
+      [node, rung](RuleRun& now, std::span<const RuleRun::Evidence> answers) {
+        if (answers[0].answer != RuleRun::Answer::Yes ||
+            answers[1].answer == RuleRun::Answer::Yes || now.explained(rung)) {
+          return;
+        }
+        for (const RuleRun::Evidence& part : answers.subspan(2)) {
+          // A part that is never true is the reason, and has its own
+          // finding.
+          if (part.answer != RuleRun::Answer::No) return;
+        }
+        now.report(now.program.nodes[node].where,
+                   "these contacts in series are never true together",
+                   {.help = proof_text(answers[0])});
+      });
 }
 
 void check(RuleRun& run) {
@@ -61,7 +68,7 @@ void check(RuleRun& run) {
     if (!is_root && run.program.nodes[parent].op == op) continue;
     const Clash clash = find_clash(run.program, i, op);
     if (clash.second != Clash::kNone) {
-      if (is_root) run.explain(RungId(run.index.rung_of[i]));
+      run.explain(RungId(run.index.rung_of[i]));
       run.report(run.program.nodes[clash.second].where,
                  op == NodeOp::And
                      ? "this contact contradicts another one in series with it"

@@ -22,13 +22,14 @@ Good:
     Q0 = (Q0 || I0) && !I1;
 
 ## Limits
-A latch without any such contact is told by `set-without-reset`, one that is
-never true by `latch-never-set`.
+A latch without any such contact is told by `set-without-reset`, a rung that
+only resets by `reset-never-fires`, one that is never true by `latch-never-set`.
 )md";
 
 void check(RuleRun& run) {
   for (const Latch& latch : run.latches) {
-    if (latch.breaks.empty() || run.explained(latch.rung)) continue;
+    if (latch.breaks.empty() || only_resets(latch)) continue;
+    if (run.explained(latch.rung)) continue;
     const std::size_t cell = latch.cell.index();
     if (run.index.writers[latch.cell.index()].back() != latch.rung.index()) {
       continue;

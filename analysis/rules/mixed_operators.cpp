@@ -1,3 +1,6 @@
+#include <algorithm>
+#include <vector>
+
 #include "analysis/rules/support.h"
 
 namespace rung {
@@ -5,7 +8,8 @@ namespace {
 
 constexpr std::string_view kDoc = R"md(
 ## Finds
-A latch that mixes `&&` and `||` without parentheses: `I0 || Q0 && !I1`.
+A latch in which an inverted contact stands in series beside a branch, without
+parentheses: `I0 || Q0 && !I1`.
 
 ## Why it matters
 `&&` binds tighter, so the stop breaks only what stands beside it. Whether that
@@ -42,6 +46,14 @@ bool in_parentheses(const RuleRun& run, SourceRange where) {
          (text[where.begin] == '(' && text[where.end - 1] == ')');
 }
 
+bool has_stop(const Program& program, std::uint32_t series) {
+  const std::vector<std::uint32_t> parts =
+      operands(program, series, NodeOp::And);
+  return std::any_of(parts.begin(), parts.end(), [&](std::uint32_t part) {
+    return contact_at(program, part).inverted;
+  });
+}
+
 void check(RuleRun& run) {
   for (const Latch& latch : run.latches) {
     const Rung& rung = run.program.rungs[latch.rung];
@@ -50,7 +62,8 @@ void check(RuleRun& run) {
       const std::uint32_t parent = run.index.parent[i];
       if (node.op != NodeOp::And || parent == ProgramIndex::kNone ||
           run.program.nodes[parent].op != NodeOp::Or ||
-          !node.where.has_value() || in_parentheses(run, node.where)) {
+          !node.where.has_value() || !has_stop(run.program, i) ||
+          in_parentheses(run, node.where)) {
         continue;
       }
       run.report(

@@ -39,9 +39,12 @@ void check(RuleRun& run) {
         !run.index.writers[id.index()].empty()) {
       continue;
     }
+    for (const std::uint32_t read : reads) {
+      run.explain(RungId(run.index.rung_of[read]));
+    }
     run.report(run.program.nodes[reads[0]].where,
                quoted(cell.name) + " is read, but no rung ever writes it",
-               {.labels = {{cell.where, "its only value is given here"}}});
+               {.help = "it keeps the value that `//Var` gives it"});
   }
 }
 

@@ -33,6 +33,9 @@ void check(RuleRun& run) {
         !run.index.writers[id.index()].empty()) {
       continue;
     }
+    for (const std::uint32_t read : run.index.reads[id.index()]) {
+      run.explain(RungId(run.index.rung_of[read]));
+    }
     run.report(cell.where, "no rung writes the output " + quoted(cell.name));
   }
 }

@@ -25,8 +25,22 @@ Good:
 
 ## Limits
 A loop must read something one scan late somewhere, so cells that depend on
-their own reader are left out, as is a rung that reads its own target.
+their own reader are left out, as are a rung that reads its own target and the
+memory of an edge (`M0 = I0` below `I0 && !M0`).
 )md";
+
+/// `M0 = I0` below a rung that reads M0 and I0: an edge written by hand, where
+/// the old value is the point.
+bool is_edge_memory(const RuleRun& run, const Rung& reader,
+                    const Rung& writer) {
+  const Node& copy = run.program.nodes[writer.root()];
+  if (copy.op != NodeOp::Read) return false;
+  for (std::uint32_t i = reader.begin; i < reader.end; ++i) {
+    const Node& node = run.program.nodes[i];
+    if (node.op == NodeOp::Read && node.cell == copy.cell) return true;
+  }
+  return false;
+}
 
 void check(RuleRun& run) {
   for (const CellId id : ids_of(run.program.cells)) {
@@ -39,7 +53,10 @@ void check(RuleRun& run) {
     const Rung& reader = run.program.rungs[RungId(reader_rung)];
     const Rung& writer = run.program.rungs[RungId(writers[0])];
     const std::vector<std::uint32_t>& component = run.index.component;
-    if (component[reader.target.index()] == component[id.index()]) continue;
+    if (component[reader.target.index()] == component[id.index()] ||
+        is_edge_memory(run, reader, writer)) {
+      continue;
+    }
     run.report(run.program.nodes[reads[0]].where,
                quoted(run.program, id) +
                    " is read before it is written: the value is one scan old",

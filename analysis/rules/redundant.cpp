@@ -71,10 +71,24 @@ bool is_looked_at(const RuleRun& run, const Rung& rung) {
   return true;
 }
 
+/// Three claims a candidate: the rung does without it; it is always true; it
+/// is never true.
+constexpr std::size_t kClaims = 3;
+
+bool is_told_elsewhere(const RuleRun& run, std::uint32_t node,
+                       std::span<const RuleRun::Evidence> claims) {
+  // A constant operand is a contact of a constant cell, a comparison that is
+  // always the same, or contacts that exclude each other: rules of their own.
+  const bool constant = claims[1].answer == RuleRun::Answer::Yes ||
+                        claims[2].answer == RuleRun::Answer::Yes;
+  return constant && run.program.nodes[node].op != NodeOp::Or;
+}
+
 void judge(RuleRun& run, const std::vector<std::uint32_t>& candidates,
            std::span<const RuleRun::Evidence> answers, const Report& report) {
   if (answers[0].answer != RuleRun::Answer::No ||
-      answers[1].answer != RuleRun::Answer::No) {
+      answers[1].answer != RuleRun::Answer::No ||
+      run.explained(RungId(run.index.rung_of[candidates[0]]))) {
     return;  // a constant does without every operand
   }
   Redundant best;
@@ -82,17 +96,22 @@ void judge(RuleRun& run, const std::vector<std::uint32_t>& candidates,
   for (std::size_t i = 0; i < candidates.size(); ++i) {
     const std::uint32_t node = candidates[i];
     const std::uint32_t nodes = node - run.index.first[node] + 1;
-    if (answers[i + 2].answer != RuleRun::Answer::Yes || nodes < size) continue;
+    const auto claims = answers.subspan(2 + i * kClaims, kClaims);
+    if (claims[0].answer != RuleRun::Answer::Yes || nodes < size ||
+        is_told_elsewhere(run, node, claims)) {
+      continue;
+    }
     size = nodes;
     best = {node, run.program.nodes[run.index.parent[node]].op,
-            proof_text(answers[i + 2])};
+            proof_text(claims[0])};
   }
   if (size != 0) report(run, best);
 }
 
 void ask_rung(RuleRun& run, const Rung& rung, const Report& report) {
+  ExprArena& exprs = run.ts.exprs;
   const ExprId value = run.ts.node_value[rung.root()];
-  std::vector<ExprId> claims = {value, run.ts.exprs.negation(value)};
+  std::vector<ExprId> claims = {value, exprs.negation(value)};
   std::vector<std::uint32_t> candidates;
   for (std::uint32_t i = rung.begin; i < rung.end; ++i) {
     const std::uint32_t parent = run.index.parent[i];
@@ -103,8 +122,11 @@ void ask_rung(RuleRun& run, const Rung& rung, const Report& report) {
       continue;
     }
     const Without without = leave_out(run, i);
+    const ExprId operand = run.ts.node_value[i];
     candidates.push_back(i);
-    claims.push_back(run.ts.exprs.equal(without.changed, without.original));
+    claims.push_back(exprs.equal(without.changed, without.original));
+    claims.push_back(operand);
+    claims.push_back(exprs.negation(operand));
   }
   if (candidates.empty()) return;
   run.ask(RuleRun::Want::Proof, std::move(claims),

@@ -31,7 +31,8 @@ by `latch-never-released`. Nothing is said about a cell that is never true.
 
 void check(RuleRun& run) {
   for (const Latch& latch : run.latches) {
-    if (!only_resets(latch) || run.explained(latch.rung)) continue;
+    if (!only_resets(latch) || latch.breaks.empty()) continue;
+    if (run.explained(latch.rung)) continue;
     const ExprId before = run.ts.node_value[latch.read];
     const ExprId after = run.ts.rung_value[latch.rung.index()];
     run.ask(RuleRun::Want::Proof,
@@ -42,6 +43,7 @@ void check(RuleRun& run) {
                   answers[1].answer != RuleRun::Answer::No) {
                 return;
               }
+              now.explain(latch.rung);
               now.report(now.program.rungs[latch.rung].where,
                          "this reset of " + quoted(now.program, latch.cell) +
                              " can never fire",

@@ -29,8 +29,9 @@ void check(RuleRun& run) {
   for (const Latch& latch : run.latches) {
     if (!only_resets(latch) || latch.breaks.empty()) continue;
     if (run.index.writers[latch.cell.index()].size() != 1) continue;
-    // Only a chain of contacts in series is sure to need its own value.
     if (run.program.cells[latch.cell].initial != 0) continue;
+    const ExprId kept = run.ts.node_value[latch.read];
+    if (run.ts.rung_value[latch.rung.index()] == kept) continue;  // Q = Q && Q
     run.explain(latch.rung);
     run.report(run.program.rungs[latch.rung].where,
                "nothing ever sets " + quoted(run.program, latch.cell) +

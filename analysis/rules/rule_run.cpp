@@ -16,7 +16,8 @@ RuleRun::RuleRun(const RuleContext& context, DiagnosticSink& sink)
       latches(find_latches(context.program, index)),
       has_oracle(context.oracle != nullptr),
       sink_(sink),
-      explained_(context.program.rungs.size()) {}
+      explained_(context.program.rungs.size()),
+      dead_(context.program.calls.size()) {}
 
 void RuleRun::report(SourceRange where, std::string message, Details details) {
   sink_.report(

@@ -56,10 +56,14 @@ class RuleRun {
   /// called once, with an answer for each condition, in order.
   void ask(Want want, std::vector<ExprId> always, Judge judge);
 
-  /// A rung whose value another rule has explained: coil-never-true and the
-  /// like stay silent there. For rules decided on the syntax.
+  /// A rung for whose value another rule has told the reason: rules that
+  /// would tell consequences stay silent there. Rules speak in the order of
+  /// their codes, those decided on the syntax before those that ask.
   void explain(RungId rung) { explained_[rung.index()] = true; }
   bool explained(RungId rung) const { return explained_[rung.index()]; }
+  /// A call that another rule has told to be dead.
+  void explain(CallId call) { dead_[call.index()] = true; }
+  bool explained(CallId call) const { return dead_[call.index()]; }
 
   void check(const Rule& rule);
   RuleSummary decide(Oracle* oracle, const RuleBudget& budget);
@@ -78,7 +82,8 @@ class RuleRun {
 
   DiagnosticSink& sink_;
   const Rule* rule_ = nullptr;
-  std::vector<bool> explained_;
+  std::vector<bool> explained_;  // by rung
+  std::vector<bool> dead_;       // by call
   std::vector<Question> questions_;
   std::vector<ExprId> conditions_;
 };

@@ -34,19 +34,21 @@ void ask(RuleRun& run, CallId id, std::uint32_t branch) {
   run.ask(
       RuleRun::Want::Witness, {run.ts.call_executed[id.index()]},
       [id, branch](RuleRun& now, std::span<const RuleRun::Evidence> answers) {
-        if (answers[0].answer == RuleRun::Answer::Yes) return;
+        if (answers[0].answer == RuleRun::Answer::Yes || now.explained(id)) {
+          return;
+        }
         const ElementCall& call = now.program.calls[id];
         const Node& marker = now.program.nodes[branch];
-        now.report(call.where,
-                   quoted(now.program.instances[call.instance].name) +
-                       " is not executed in a scan in which this operand is " +
-                       (marker.skip_when ? "not needed: the left one is true"
-                                         : "not needed: the left one is false"),
-                   {.labels = {{now.program.nodes[marker.a].where,
-                                "this decides whether it is executed"}},
-                    .help = answers[0].answer == RuleRun::Answer::No
-                                ? witness_text(now, answers[0])
-                                : "call it in a rung of its own"});
+        now.report(
+            call.where,
+            quoted(now.program.instances[call.instance].name) +
+                " is not executed in scans in which the operand before it is " +
+                (marker.skip_when ? "true" : "false"),
+            {.labels = {{now.program.nodes[marker.a].where,
+                         "this decides whether it is executed"}},
+             .help = answers[0].answer == RuleRun::Answer::No
+                         ? witness_text(now, answers[0])
+                         : "call it in a rung of its own"});
       });
 }
 

@@ -76,6 +76,21 @@ bool is_literal(const RuleRun& run, RungId rung) {
   return run.program.nodes[it.root()].op == NodeOp::Constant;
 }
 
+bool only_follows(const RuleRun& run, RungId rung) {
+  const std::uint32_t root = run.program.rungs[rung].root();
+  const Node& node = run.program.nodes[root];
+  if (node.op == NodeOp::Call) {
+    const ElementCall& call = run.program.calls[node.call];
+    return !call.operation->resets &&
+           run.program.instances[call.instance].kind->family !=
+               ElementFamily::Edge;
+  }
+  const Contact contact = contact_at(run.program, root);
+  return contact.cell.has_value() &&
+         contact.cell != run.program.rungs[rung].target &&
+         run.program.cells[contact.cell].role != CellRole::Input;
+}
+
 bool same_structure(const RuleRun& run, std::uint32_t left,
                     std::uint32_t right) {
   const std::vector<Node>& nodes = run.program.nodes;

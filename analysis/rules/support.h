@@ -46,6 +46,10 @@ Contact contact_at(const Program& program, std::uint32_t node);
 /// Is the rung's expression a literal and nothing else?
 bool is_literal(const RuleRun& run, RungId rung);
 
+/// Is the rung a contact of a cell that rungs write, or a timer or counter, and
+/// nothing else? What is constant about it is told there.
+bool only_follows(const RuleRun& run, RungId rung);
+
 inline bool is_and_or(NodeOp op) {
   return op == NodeOp::And || op == NodeOp::Or;
 }

@@ -37,6 +37,9 @@ void check(RuleRun& run) {
         !run.index.writers[id.index()].empty()) {
       continue;
     }
+    for (const std::uint32_t read : reads) {
+      run.explain(RungId(run.index.rung_of[read]));
+    }
     run.report(run.program.nodes[reads[0]].where,
                quoted(cell.name) + " is read, but nothing gives it a value",
                {.help = "it is false in every scan"});

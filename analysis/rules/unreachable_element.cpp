@@ -35,6 +35,7 @@ void check(RuleRun& run) {
     run.ask(RuleRun::Want::Proof, {run.ts.exprs.negation(executed)},
             [id](RuleRun& now, std::span<const RuleRun::Evidence> answers) {
               if (answers[0].answer != RuleRun::Answer::Yes) return;
+              now.explain(id);
               const ElementCall& call = now.program.calls[id];
               now.report(
                   call.where,

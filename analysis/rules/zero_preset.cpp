@@ -28,7 +28,8 @@ less than a millisecond counts as 0.
 )md";
 
 void check(RuleRun& run) {
-  for (const ElementCall& call : run.program.calls) {
+  for (const CallId id : ids_of(run.program.calls)) {
+    const ElementCall& call = run.program.calls[id];
     const bool has_preset = std::any_of(
         call.operation->parameters.begin(), call.operation->parameters.end(),
         [](const ElementParameter& parameter) {
@@ -36,6 +37,7 @@ void check(RuleRun& run) {
                  parameter.kind == ParameterKind::Count;
         });
     if (!has_preset || call.parameter != 0) continue;
+    run.explain(RungId(run.index.rung_of_call[id.index()]));
     const Instance& instance = run.program.instances[call.instance];
     run.report(call.where, "the " + std::string(family_name(instance)) + " " +
                                quoted(instance.name) + " has preset 0");
