@@ -69,6 +69,9 @@ const Rule* find_rule(std::string_view code_or_name);
 
 /// Effort of the solver rules. Counts, not seconds: the same on every machine.
 struct RuleBudget {
+  /// Terms of the transition system; in a larger one nothing is asked, and
+  /// what only a solver can tell stays open.
+  std::size_t largest_system = 300'000;
   std::size_t proof_questions = 4096;        // in all, after sampling
   std::size_t witness_questions = 64;        // in all
   std::uint64_t sampling_work = 40'000'000;  // term evaluations, about

@@ -27,9 +27,9 @@ const Rule* find_rule(std::string_view code_or_name) {
 RuleSummary run_rules(const RuleContext& context, DiagnosticSink& sink,
                       const RuleBudget& budget) {
   DiagnosticList found;
-  RuleRun run(context, found);
+  RuleRun run(context, found, budget);
   for (const Rule* rule : kRules) run.check(*rule);
-  const RuleSummary summary = run.decide(context.oracle, budget);
+  const RuleSummary summary = run.decide();
   std::vector<Diagnostic> findings = suppress(context, found.take());
   sort_diagnostics(findings);
   for (Diagnostic& finding : findings) sink.report(std::move(finding));

@@ -10,8 +10,7 @@ namespace {
 
 using Report = std::function<void(RuleRun&, const Redundant&)>;
 
-constexpr std::uint32_t kMostNodes = 192;       // of a rung
-constexpr std::size_t kLargeProgram = 200'000;  // nodes
+constexpr std::uint32_t kMostNodes = 192;  // of a rung
 
 bool is_logic(NodeOp op) {
   return is_and_or(op) || op == NodeOp::Not || op == NodeOp::Xor;
@@ -139,7 +138,7 @@ void ask_rung(RuleRun& run, const Rung& rung, const Report& report) {
 }  // namespace
 
 void ask_redundant(RuleRun& run, Report report) {
-  if (run.program.nodes.size() > kLargeProgram) return;
+  if (!run.has_oracle) return;
   for (const Rung& rung : run.program.rungs) {
     if (run.program.cells[rung.target].type == Type::Bit &&
         is_looked_at(run, rung)) {

@@ -7,15 +7,28 @@
 
 namespace rung {
 
-RuleRun::RuleRun(const RuleContext& context, DiagnosticSink& sink)
+namespace {
+
+/// Past the budget nobody is asked.
+Oracle* oracle_of(const RuleContext& context, const RuleBudget& budget) {
+  return context.ts.exprs.size() <= budget.largest_system ? context.oracle
+                                                          : nullptr;
+}
+
+}  // namespace
+
+RuleRun::RuleRun(const RuleContext& context, DiagnosticSink& sink,
+                 const RuleBudget& budget)
     : sources(context.sources),
       program(context.program),
       properties(context.properties),
       ts(context.ts),
       index(context.program, context.properties),
       latches(find_latches(context.program, index)),
-      has_oracle(context.oracle != nullptr),
+      has_oracle(oracle_of(context, budget) != nullptr),
       sink_(sink),
+      oracle_(oracle_of(context, budget)),
+      budget_(budget),
       explained_(context.program.rungs.size()),
       dead_(context.program.calls.size()) {}
 
@@ -35,6 +48,15 @@ void RuleRun::report(SourceRange where, std::string message) {
 }
 
 void RuleRun::ask(Want want, std::vector<ExprId> always, Judge judge) {
+  summary_.asked += always.size();
+  const bool hopeless =
+      !has_oracle && want == Want::Proof &&
+      std::none_of(always.begin(), always.end(),
+                   [this](ExprId id) { return ts.exprs.is_true(id); });
+  if (hopeless) {
+    summary_.undecided += always.size();
+    return;
+  }
   const std::size_t begin = conditions_.size();
   conditions_.insert(conditions_.end(), always.begin(), always.end());
   questions_.push_back(
@@ -46,14 +68,28 @@ void RuleRun::check(const Rule& rule) {
   rule.check(*this);
 }
 
+/// Random runs answer the questions of which only a proof would count.
+void RuleRun::sample_proofs(std::vector<Evidence>& answers) {
+  const std::vector<bool> refuted =
+      sample(ts, conditions_, budget_.sampling_work);
+  for (const Question& question : questions_) {
+    if (question.want == Want::Witness) continue;
+    for (std::size_t i = question.begin; i < question.end; ++i) {
+      if (!refuted[i]) continue;
+      answers[i] = {Answer::No, "sampling", std::nullopt};
+      ++summary_.sampled;
+    }
+  }
+}
+
 /// The questions for the oracle, by position in conditions_: what is still
 /// open, within the budget, and of equal conditions only the first.
-std::vector<std::size_t> RuleRun::select(const std::vector<Evidence>& answers,
-                                         const RuleBudget& budget) const {
+std::vector<std::size_t> RuleRun::select(
+    const std::vector<Evidence>& answers) const {
   std::vector<std::size_t> chosen;
   std::vector<bool> seen(ts.exprs.size());
-  std::size_t proofs = budget.proof_questions;
-  std::size_t witnesses = budget.witness_questions;
+  std::size_t proofs = budget_.proof_questions;
+  std::size_t witnesses = budget_.witness_questions;
   for (const Question& question : questions_) {
     std::size_t& left = question.want == Want::Proof ? proofs : witnesses;
     for (std::size_t i = question.begin; i < question.end; ++i) {
@@ -69,51 +105,44 @@ std::vector<std::size_t> RuleRun::select(const std::vector<Evidence>& answers,
   return chosen;
 }
 
-RuleSummary RuleRun::decide(Oracle* oracle, const RuleBudget& budget) {
-  RuleSummary summary;
-  summary.asked = conditions_.size();
+void RuleRun::ask_oracle(std::vector<Evidence>& answers) const {
+  const std::vector<std::size_t> chosen = select(answers);
+  if (chosen.empty()) return;
+  std::vector<ExprId> terms;
+  for (const std::size_t i : chosen) terms.push_back(conditions_[i]);
+  std::vector<std::uint32_t> asked(ts.exprs.size(), 0);  // position + 1
+  for (std::uint32_t k = 0; k < terms.size(); ++k) {
+    asked[terms[k].index()] = k + 1;
+  }
+  const std::vector<Evidence> decided = oracle_->always(terms);
+  for (std::size_t i = 0; i < conditions_.size(); ++i) {
+    const std::uint32_t k = asked[conditions_[i].index()];
+    if (answers[i].answer == Answer::Unknown && k != 0) {
+      answers[i] = decided[k - 1];
+    }
+  }
+}
+
+RuleSummary RuleRun::decide() {
   std::vector<Evidence> answers(conditions_.size());
   for (std::size_t i = 0; i < conditions_.size(); ++i) {
     if (ts.exprs.is_true(conditions_[i])) {
       answers[i] = {Answer::Yes, "simplification", std::nullopt};
     }
   }
-  if (oracle != nullptr && !conditions_.empty()) {
-    const std::vector<bool> refuted =
-        sample(ts, conditions_, budget.sampling_work);
-    for (const Question& question : questions_) {
-      if (question.want == Want::Witness) continue;
-      for (std::size_t i = question.begin; i < question.end; ++i) {
-        if (!refuted[i]) continue;
-        answers[i] = {Answer::No, "sampling", std::nullopt};
-        ++summary.sampled;
-      }
-    }
-    const std::vector<std::size_t> chosen = select(answers, budget);
-    std::vector<ExprId> terms;
-    for (const std::size_t i : chosen) terms.push_back(conditions_[i]);
-    const std::vector<Evidence> decided =
-        terms.empty() ? std::vector<Evidence>() : oracle->always(terms);
-    std::vector<std::size_t> first(ts.exprs.size(), 0);  // position + 1
-    for (std::size_t k = 0; k < chosen.size(); ++k) {
-      first[terms[k].index()] = k + 1;
-    }
-    for (std::size_t i = 0; i < conditions_.size(); ++i) {
-      const std::size_t k = first[conditions_[i].index()];
-      if (answers[i].answer == Answer::Unknown && k != 0) {
-        answers[i] = decided[k - 1];
-      }
-    }
+  if (has_oracle && !conditions_.empty()) {
+    sample_proofs(answers);
+    ask_oracle(answers);
   }
   for (const Evidence& answer : answers) {
-    if (answer.answer == Answer::Unknown) ++summary.undecided;
+    if (answer.answer == Answer::Unknown) ++summary_.undecided;
   }
   for (const Question& question : questions_) {
     rule_ = question.rule;
     question.judge(*this, std::span(answers).subspan(
                               question.begin, question.end - question.begin));
   }
-  return summary;
+  return summary_;
 }
 
 }  // namespace rung

@@ -39,7 +39,8 @@ class RuleRun {
     bool downgrade = false;  // proved harmless: a note
   };
 
-  RuleRun(const RuleContext& context, DiagnosticSink& sink);
+  RuleRun(const RuleContext& context, DiagnosticSink& sink,
+          const RuleBudget& budget);
 
   const SourceSet& sources;
   const Program& program;
@@ -66,7 +67,7 @@ class RuleRun {
   bool explained(CallId call) const { return dead_[call.index()]; }
 
   void check(const Rule& rule);
-  RuleSummary decide(Oracle* oracle, const RuleBudget& budget);
+  RuleSummary decide();
 
  private:
   struct Question {
@@ -77,10 +78,14 @@ class RuleRun {
     Judge judge;
   };
 
-  std::vector<std::size_t> select(const std::vector<Evidence>& answers,
-                                  const RuleBudget& budget) const;
+  void sample_proofs(std::vector<Evidence>& answers);
+  std::vector<std::size_t> select(const std::vector<Evidence>& answers) const;
+  void ask_oracle(std::vector<Evidence>& answers) const;
 
   DiagnosticSink& sink_;
+  Oracle* oracle_;
+  RuleBudget budget_;
+  RuleSummary summary_;
   const Rule* rule_ = nullptr;
   std::vector<bool> explained_;  // by rung
   std::vector<bool> dead_;       // by call

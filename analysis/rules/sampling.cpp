@@ -23,18 +23,23 @@ class Runs {
   Runs(const TransitionSystem& ts, const std::vector<ExprId>& observed)
       : ts_(ts), slot_(ts.exprs.size(), 0), needed_(ts.exprs.size()) {
     mark_needed(observed);
-    bits_.resize(ts.exprs.size());
+    std::uint32_t words = 0;
     for (std::size_t i = 0; i < ts.exprs.size(); ++i) {
-      if (!needed_[i] || expr(i).type == Type::Bit) continue;
-      slot_[i] = static_cast<std::uint32_t>(words_.size());
-      words_.emplace_back();
+      if (needed_[i] && expr(i).type == Type::Word) slot_[i] = words++;
     }
+    cost_ = ts.exprs.size() + kLanes * words;
+  }
+
+  /// How many scans `work` allows.
+  std::uint64_t scans_for(std::uint64_t work) const { return work / cost_; }
+
+  /// Before the first scan.
+  void start() {
+    bits_.resize(ts_.exprs.size());
+    words_.resize((cost_ - bits_.size()) / kLanes);
     collect_constants();
     reset();
   }
-
-  /// About what one scan costs.
-  std::uint64_t cost() const { return bits_.size() + kLanes * words_.size(); }
 
   void choose_inputs() {
     const Bits fast = random_() & 0xffff;
@@ -273,6 +278,7 @@ class Runs {
   }
 
   const TransitionSystem& ts_;
+  std::uint64_t cost_ = 1;  // of a scan, about
   std::mt19937_64 random_{20200712};
   std::vector<std::uint32_t> slot_;
   std::vector<bool> needed_;
@@ -292,8 +298,9 @@ std::vector<bool> sample(const TransitionSystem& ts,
                          std::uint64_t work) {
   std::vector<bool> refuted(conditions.size());
   Runs runs(ts, conditions);
-  const std::uint64_t scans =
-      std::clamp<std::uint64_t>(work / (runs.cost() + 1), 1, kMostScans);
+  const std::uint64_t scans = std::min(runs.scans_for(work), kMostScans);
+  if (scans == 0) return refuted;
+  runs.start();
   for (std::uint64_t scan = 0; scan < scans; ++scan) {
     runs.choose_inputs();
     const Bits valid = runs.evaluate();
@@ -350,12 +357,14 @@ std::vector<Unrest> sample_unrest(const TransitionSystem& ts,
   std::vector<ExprId> observed = ts.cell_end;
   observed.insert(observed.end(), ts.cell_begin.begin(), ts.cell_begin.end());
   Runs runs(ts, observed);
-  const std::uint64_t affordable = work / (runs.cost() + 1);
+  const std::uint64_t affordable =
+      std::min(runs.scans_for(work), kMostScans / 2);
+  if (affordable <= 2 * kRestScans) return {};
+  runs.start();
   std::vector<Unrest> found;
   std::vector<bool> seen(ts.cell_end.size());
   std::uint64_t scans = 0;
-  for (std::uint64_t next_look = 1;
-       scans + 2 * kRestScans <= std::min(affordable, kMostScans);
+  for (std::uint64_t next_look = 1; scans + 2 * kRestScans <= affordable;
        next_look *= 2) {
     for (std::uint64_t i = 0; i < next_look; ++i, ++scans) {
       runs.choose_inputs();

@@ -13,7 +13,7 @@ namespace rung {
 /// always true, so that the solver is asked about the rest only. It proves
 /// nothing, and a flag that it sets comes from a run that it has made.
 /// Deterministic: the generator starts from a constant.
-/// Limits: about `work` evaluations of terms; at least one scan.
+/// Limits: about `work` evaluations of terms.
 std::vector<bool> sample(const TransitionSystem& ts,
                          const std::vector<ExprId>& conditions,
                          std::uint64_t work);
