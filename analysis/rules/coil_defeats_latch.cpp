@@ -27,24 +27,12 @@ A rung that takes the earlier value further without a branch of its own
 (`Q0 = Q0 && !I2`) is a usual way to write an enable, and is not reported.
 )md";
 
-/// The rung that writes the cell before the latch reads it, if it is plain.
-std::uint32_t plain_writer_before(const RuleRun& run, const Latch& latch) {
-  std::uint32_t found = ProgramIndex::kNone;
-  for (const std::uint32_t rung : run.index.writers[latch.cell.index()]) {
-    if (rung >= latch.rung.index()) break;
-    found = rung;
-  }
-  if (found == ProgramIndex::kNone || run.index.reads_itself[found]) {
-    return ProgramIndex::kNone;
-  }
-  return found;
-}
-
 void check(RuleRun& run) {
   for (const Latch& latch : run.latches) {
     if (only_resets(latch)) continue;
-    const std::uint32_t plain = plain_writer_before(run, latch);
-    if (plain == ProgramIndex::kNone) continue;
+    const std::uint32_t plain =
+        writer_above(run, latch.cell, latch.rung.index());
+    if (plain == ProgramIndex::kNone || run.index.reads_itself[plain]) continue;
     const Rung& coil = run.program.rungs[RungId(plain)];
     run.report(run.program.rungs[latch.rung].where,
                "this rung does not hold " + quoted(run.program, latch.cell) +

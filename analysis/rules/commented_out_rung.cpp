@@ -49,6 +49,7 @@ bool looks_like_rung(std::string_view text) {
 }
 
 void check(RuleRun& run) {
+  if (run.program.language != "script") return;
   for (const AstComment& comment : run.program.comments) {
     if (!looks_like_rung(comment.text)) continue;
     run.report(comment.where, "this comment is a rung that is switched off");

@@ -33,17 +33,6 @@ CellId copied(const Program& program, const Rung& rung) {
   return root.op == NodeOp::Read ? root.cell : CellId();
 }
 
-/// The rung that last wrote the cell above `rung`.
-std::uint32_t writer_above(const RuleRun& run, CellId cell,
-                           std::uint32_t rung) {
-  std::uint32_t found = ProgramIndex::kNone;
-  for (const std::uint32_t writer : run.index.writers[cell.index()]) {
-    if (writer >= rung) break;
-    found = writer;
-  }
-  return found;
-}
-
 void look_at(RuleRun& run, std::uint32_t node, Contact memory, Contact signal) {
   const std::uint32_t rung = run.index.rung_of[node];
   const std::uint32_t writer = writer_above(run, memory.cell, rung);

@@ -28,14 +28,6 @@ its effect and is not reported, nor is an element that a property line or
 another rung uses.
 )md";
 
-bool is_observed(const RuleRun& run, const ElementCall& call) {
-  for (const AstAnnotation& line : run.program.annotations) {
-    const std::string& name = run.program.instances[call.instance].name;
-    if (line.text.find(name) != std::string_view::npos) return true;
-  }
-  return false;
-}
-
 void check(RuleRun& run) {
   for (const CellId id : ids_of(run.program.cells)) {
     const Cell& cell = run.program.cells[id];
@@ -49,7 +41,8 @@ void check(RuleRun& run) {
     const Node& root = run.program.nodes[rung.root()];
     if (root.op != NodeOp::Call) continue;
     const ElementCall& call = run.program.calls[root.call];
-    if (call.operation->resets || is_observed(run, call)) continue;
+    if (call.operation->resets || run.index.observed[call.instance.index()])
+      continue;
     run.report(root.where,
                "nothing uses the result of " +
                    quoted(run.program.instances[call.instance].name),

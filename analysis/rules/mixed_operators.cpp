@@ -55,6 +55,7 @@ bool has_stop(const Program& program, std::uint32_t series) {
 }
 
 void check(RuleRun& run) {
+  if (run.program.language != "script") return;
   for (const Latch& latch : run.latches) {
     const Rung& rung = run.program.rungs[latch.rung];
     for (std::uint32_t i = rung.begin; i < rung.end; ++i) {

@@ -112,6 +112,8 @@ void mark(const ProgramIndex& index, std::string_view name,
   if (cell.has_value()) flags[cell.index()] = true;
 }
 
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
+
 bool is_word_char(char c) {
   return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') ||
          (c >= '0' && c <= '9') || c == '_';
@@ -125,6 +127,23 @@ void mark_words(const ProgramIndex& index, std::string_view text,
     while (end < text.size() && is_word_char(text[end])) ++end;
     if (end > begin) mark(index, text.substr(begin, end - begin), flags);
     begin = end + 1;
+  }
+}
+
+using InstanceNames = std::unordered_map<std::string_view, std::uint32_t>;
+
+/// Names such as T(0) in a property line.
+void mark_instances(const InstanceNames& names, std::string_view text,
+                    std::vector<bool>& flags) {
+  for (std::size_t close = text.find(')'); close != std::string_view::npos;
+       close = text.find(')', close + 1)) {
+    std::size_t begin = close;
+    while (begin > 0 && is_digit(text[begin - 1])) --begin;
+    if (begin == 0 || text[begin - 1] != '(') continue;
+    --begin;
+    while (begin > 0 && is_word_char(text[begin - 1])) --begin;
+    const auto found = names.find(text.substr(begin, close + 1 - begin));
+    if (found != names.end()) flags[found->second] = true;
   }
 }
 
@@ -147,6 +166,7 @@ ProgramIndex::ProgramIndex(const Program& program,
     : plant_reads(program.cells.size()),
       plant_writes(program.cells.size()),
       mentioned(program.cells.size()),
+      observed(program.instances.size()),
       component(cell_components(program)),
       read_by_others(program.cells.size()) {
   names.reserve(program.cells.size());
@@ -156,14 +176,20 @@ ProgramIndex::ProgramIndex(const Program& program,
   Indexer(program, *this).run();
   in_loop = cells_in_loops(program, component);
   add_plant(program, *this);
+  InstanceNames instances;
+  for (const InstanceId id : ids_of(program.instances)) {
+    instances.emplace(program.instances[id].name, id.index());
+  }
+  const auto add_line = [&](std::string_view line) {
+    mark_words(*this, line, mentioned);
+    mark_instances(instances, line, observed);
+  };
   for (const AstAnnotation& line : program.annotations) {
     // What a suppression says about a cell is no use of it.
-    if (!line.text.starts_with("allow")) {
-      mark_words(*this, line.text, mentioned);
-    }
+    if (!line.text.starts_with("allow")) add_line(line.text);
   }
   for (const Property& property : properties.properties) {
-    if (!property.built_in) mark_words(*this, property.text, mentioned);
+    if (!property.built_in) add_line(property.text);
   }
 }
 

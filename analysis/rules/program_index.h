@@ -47,6 +47,7 @@ struct ProgramIndex {
   std::vector<bool> plant_reads;   // by cell: the `//Sim` plant reads it
   std::vector<bool> plant_writes;  // by cell: the plant assigns it
   std::vector<bool> mentioned;     // by cell: a property line names it
+  std::vector<bool> observed;      // by instance: a property line names it
   std::vector<bool> reads_itself;  // by rung: its expression reads its target
 
   /// The cell of that name; no value when there is none.

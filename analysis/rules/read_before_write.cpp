@@ -29,12 +29,16 @@ their own reader are left out, as are a rung that reads its own target and the
 memory of an edge (`M0 = I0` below `I0 && !M0`).
 )md";
 
+constexpr std::uint32_t kMostNodes = 256;
+
 /// `M0 = I0` below a rung that reads M0 and I0: an edge written by hand, where
 /// the old value is the point.
 bool is_edge_memory(const RuleRun& run, const Rung& reader,
                     const Rung& writer) {
   const Node& copy = run.program.nodes[writer.root()];
   if (copy.op != NodeOp::Read) return false;
+  // A rung is read again for each cell in it: short ones only.
+  if (reader.end - reader.begin > kMostNodes) return false;
   for (std::uint32_t i = reader.begin; i < reader.end; ++i) {
     const Node& node = run.program.nodes[i];
     if (node.op == NodeOp::Read && node.cell == copy.cell) return true;

@@ -61,6 +61,14 @@ std::vector<std::uint32_t> operands(const Program& program, std::uint32_t root,
   return found;
 }
 
+std::uint32_t writer_above(const RuleRun& run, CellId cell,
+                           std::uint32_t rung) {
+  const std::span<const std::uint32_t> writers =
+      run.index.writers[cell.index()];
+  const auto below = std::lower_bound(writers.begin(), writers.end(), rung);
+  return below == writers.begin() ? ProgramIndex::kNone : *(below - 1);
+}
+
 Contact contact_at(const Program& program, std::uint32_t node) {
   bool inverted = false;
   while (program.nodes[node].op == NodeOp::Not) {

@@ -35,6 +35,10 @@ std::string witness_text(const RuleRun& run, const Oracle::Evidence& evidence);
 std::vector<std::uint32_t> operands(const Program& program, std::uint32_t root,
                                     NodeOp op);
 
+/// The last rung above `rung` that writes the cell; ProgramIndex::kNone when
+/// there is none.
+std::uint32_t writer_above(const RuleRun& run, CellId cell, std::uint32_t rung);
+
 /// A contact: a read of a cell, perhaps inverted.
 struct Contact {
   CellId cell;

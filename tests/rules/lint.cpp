@@ -18,7 +18,20 @@ std::string place(const SourceSet& sources, SourceRange where) {
 
 }  // namespace
 
-Linted& lint(std::string_view text, Linted& linted, bool with_oracle) {
+OracleMaker explicit_oracle() {
+  return [](const Program&, TransitionSystem& ts) {
+    return std::make_unique<ExplicitOracle>(ts);
+  };
+}
+
+OracleMaker no_oracle() {
+  return [](const Program&, TransitionSystem&) {
+    return std::unique_ptr<Oracle>();
+  };
+}
+
+Linted& lint(std::string_view text, Linted& linted,
+             const OracleMaker& make_oracle) {
   const FileId file = linted.sources.add("test.rung", std::string(text));
   DiagnosticList sink;
   const Ast ast = read_script(linted.sources, file, "", sink);
@@ -31,10 +44,9 @@ Linted& lint(std::string_view text, Linted& linted, bool with_oracle) {
     if (!sink.has_errors()) {
       TransitionSystem ts = build_transition_system(program);
       make_obligations(program, properties, ts);
-      ExplicitOracle oracle(ts);
-      linted.summary = run_rules({linted.sources, program, properties, ts,
-                                  with_oracle ? &oracle : nullptr},
-                                 sink);
+      const std::unique_ptr<Oracle> oracle = make_oracle(program, ts);
+      linted.summary = run_rules(
+          {linted.sources, program, properties, ts, oracle.get()}, sink);
     }
   }
   linted.findings = sink.take();

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <functional>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -8,15 +10,23 @@
 
 namespace rung::testing {
 
-/// One text, read and linted, with the explicit oracle and scans of 100 ms.
+/// One text, read and linted.
 struct Linted {
   SourceSet sources;
   std::vector<Diagnostic> findings;  // of the readers too
   RuleSummary summary;
 };
 
-/// Fills `linted`; returns it for convenience.
-Linted& lint(std::string_view text, Linted& linted, bool with_oracle = true);
+/// Who answers the rules' questions about a program.
+using OracleMaker =
+    std::function<std::unique_ptr<Oracle>(const Program&, TransitionSystem&)>;
+OracleMaker explicit_oracle();
+OracleMaker no_oracle();
+
+/// Fills `linted`; returns it for convenience. A scan takes 100 ms, unless the
+/// text says otherwise: so every state can be visited.
+Linted& lint(std::string_view text, Linted& linted,
+             const OracleMaker& make_oracle = explicit_oracle());
 
 /// Is there a finding of that rule?
 bool has_finding(const Linted& linted, std::string_view rule);

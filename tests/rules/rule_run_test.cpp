@@ -69,7 +69,8 @@ TEST(RuleRun, WithoutAnOracleNothingIsClaimed) {
   Linted with;
   EXPECT_TRUE(has_finding(lint(kText, with), "coil-never-true"));
   Linted without;
-  EXPECT_FALSE(has_finding(lint(kText, without, false), "coil-never-true"));
+  EXPECT_FALSE(
+      has_finding(lint(kText, without, no_oracle()), "coil-never-true"));
   EXPECT_GT(without.summary.undecided, 0U);
 }
 

@@ -1,0 +1,151 @@
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <random>
+#include <sstream>
+#include <string>
+
+#include "analysis/transition_system.h"
+#include "explicit_oracle.h"
+#include "lint.h"
+#include "smt/oracle.h"
+
+namespace rung::testing {
+namespace {
+
+struct Tally {
+  std::size_t decided = 0;  // by both
+  std::size_t questions = 0;
+  std::string contradictions;
+};
+
+/// Asks the engines and the explicit search, and compares.
+class BothOracles : public Oracle {
+ public:
+  BothOracles(const Program& program, TransitionSystem& ts, Tally& tally)
+      : engines_(program, ts), search_(ts), ts_(ts), tally_(tally) {}
+
+  Evidence always(ExprId condition) override {
+    return always(std::vector<ExprId>{condition})[0];
+  }
+
+  std::vector<Evidence> always(const std::vector<ExprId>& conditions) override {
+    std::vector<Evidence> found = engines_.always(conditions);
+    const std::vector<Evidence> known = search_.always(conditions);
+    for (std::size_t i = 0; i < conditions.size(); ++i) {
+      ++tally_.questions;
+      if (found[i].answer == Answer::Unknown ||
+          known[i].answer == Answer::Unknown) {
+        continue;
+      }
+      ++tally_.decided;
+      if (found[i].answer == known[i].answer) continue;
+      tally_.contradictions += to_string(ts_, conditions[i]) + " is " +
+                               (found[i].answer == Answer::Yes ? "" : "not ") +
+                               "always true, says " + found[i].engine + "\n";
+    }
+    return found;
+  }
+
+ private:
+  SolverOracle engines_;
+  ExplicitOracle search_;
+  TransitionSystem& ts_;
+  Tally& tally_;
+};
+
+OracleMaker both(Tally& tally) {
+  return [&tally](const Program& program, TransitionSystem& ts) {
+    return std::make_unique<BothOracles>(program, ts, tally);
+  };
+}
+
+/// A script of the sim dialect over few names, so that states are few.
+class RandomScript {
+ public:
+  explicit RandomScript(unsigned seed) : random_(seed) {}
+
+  std::string text() {
+    const int rungs = 2 + pick(5);
+    std::string script;
+    for (int i = 0; i < rungs; ++i) {
+      script +=
+          name({"Q0", "Q1", "M0", "M1", "M2"}) + " = " + expression(3) + ";\n";
+    }
+    return script;
+  }
+
+ private:
+  int pick(int below) { return static_cast<int>(random_() % below); }
+
+  std::string name(std::initializer_list<const char*> names) {
+    return *(names.begin() + pick(static_cast<int>(names.size())));
+  }
+
+  std::string contact() {
+    return (pick(3) == 0 ? "!" : "") +
+           name({"I0", "I1", "Q0", "Q1", "M0", "M1", "M2"});
+  }
+
+  // NOLINTNEXTLINE(misc-no-recursion): as deep as its argument
+  std::string expression(int depth) {
+    if (depth == 0 || pick(4) == 0) return contact();
+    switch (pick(9)) {
+      case 0:
+        return "T(0, 0.2, " + expression(depth - 1) + ")";
+      case 1:
+        return "TOF(0, 0.3, " + expression(depth - 1) + ")";
+      case 2:
+        return "C(0, 2, " + contact() + ", false, " + contact() + ")";
+      case 3:
+        return "!(" + expression(depth - 1) + ")";
+      case 4:
+      case 5:
+        return "(" + expression(depth - 1) + " || " + expression(depth - 1) +
+               ")";
+      default:
+        return "(" + expression(depth - 1) + " && " + expression(depth - 1) +
+               ")";
+    }
+  }
+
+  std::mt19937 random_;
+};
+
+TEST(OracleAgreement, RandomPrograms) {
+  Tally tally;
+  for (unsigned seed = 0; seed < 60; ++seed) {
+    const std::string script = RandomScript(seed).text();
+    const std::size_t before = tally.contradictions.size();
+    Linted linted;
+    lint(script, linted, both(tally));
+    EXPECT_EQ(tally.contradictions.size(), before)
+        << script << tally.contradictions.substr(before);
+  }
+  // The comparison is worth something only when it compares.
+  EXPECT_GT(tally.decided, 300U);
+  RecordProperty("questions", static_cast<int>(tally.questions));
+  RecordProperty("decided", static_cast<int>(tally.decided));
+}
+
+TEST(OracleAgreement, Goldens) {
+  namespace fs = std::filesystem;
+  Tally tally;
+  for (const auto& entry :
+       fs::directory_iterator(fs::path(RUNG_ROOT) / "tests/rules/golden")) {
+    std::stringstream text;
+    text << std::ifstream(entry.path()).rdbuf();
+    const std::string all = text.str();
+    const std::size_t before = tally.contradictions.size();
+    Linted linted;
+    lint(all.substr(0, all.find("// --- expected")), linted, both(tally));
+    EXPECT_EQ(tally.contradictions.size(), before)
+        << entry.path() << "\n"
+        << tally.contradictions.substr(before);
+  }
+  EXPECT_GT(tally.decided, 100U);
+}
+
+}  // namespace
+}  // namespace rung::testing
