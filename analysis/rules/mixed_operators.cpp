@@ -8,26 +8,25 @@ namespace {
 
 constexpr std::string_view kDoc = R"md(
 ## Finds
-A latch in which an inverted contact stands in series beside a branch, without
-parentheses: `I0 || Q0 && !I1`.
+A latch in which a stop stands in series with the start only, without
+parentheses: `Q0 || I0 && !I1`.
 
 ## Why it matters
-`&&` binds tighter, so the stop breaks only what stands beside it. Whether that
-was meant cannot be seen.
+`&&` binds tighter: the stop keeps the start from setting, but it does not break
+the latch. Whether that was meant cannot be seen.
 
 ## Example
 Bad:
 
-    //@ latch Q0 set I0 reset I1 dominant set
-    Q0 = I0 || Q0 && !I1;
+    Q0 = (Q0 || I0 && !I1) && !I2;
 
 Good:
 
-    //@ latch Q0 set I0 reset I1 dominant set
-    Q0 = I0 || (Q0 && !I1);
+    Q0 = (Q0 || (I0 && !I1)) && !I2;
 
 ## Limits
-Only rungs that hold themselves: elsewhere the mix is usual and harmless.
+Only rungs that hold themselves: elsewhere the mix is usual and harmless. A stop
+that stands in series with the seal-in alone is told by `start-dominant-latch`.
 )md";
 
 char before(std::string_view text, std::uint32_t at) {
@@ -64,6 +63,7 @@ void check(RuleRun& run) {
       if (node.op != NodeOp::And || parent == ProgramIndex::kNone ||
           run.program.nodes[parent].op != NodeOp::Or ||
           !node.where.has_value() || !has_stop(run.program, i) ||
+          (run.index.first[i] <= latch.read && latch.read <= i) ||
           in_parentheses(run, node.where)) {
         continue;
       }

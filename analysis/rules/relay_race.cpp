@@ -28,8 +28,9 @@ Good:
 
 ## Limits
 Races are searched by running the program from sampled states; what is found is
-a race, but not every race is found. A blinker made with timers is none: it
-waits for time to pass.
+a race, but not every race is found. A cell that does not change in every single
+scan is only noted: a sequence runs in circles as well when all its sensors are
+true at once. A blinker made with timers is none: it waits for time to pass.
 Source: Aiken, Faehndrich, Su, "Detecting races in relay ladder logic
 programs", TACAS 1998.
 )md";
@@ -61,11 +62,12 @@ void check(RuleRun& run) {
     }
     told[component] = true;
     const Rung& rung = run.program.rungs[RungId(writers.back())];
-    run.report(rung.where,
-               quoted(run.program, unrest.cell) +
-                   " never comes to rest: it changes from scan to scan while "
-                   "all inputs are held",
-               {.help = held_text(run, unrest)});
+    run.report(
+        rung.where,
+        quoted(run.program, unrest.cell) +
+            " never comes to rest: it changes from scan to scan while "
+            "all inputs are held",
+        {.help = held_text(run, unrest), .downgrade = !unrest.every_scan});
   }
 }
 

@@ -314,34 +314,43 @@ std::vector<bool> sample(const TransitionSystem& ts,
 
 namespace {
 
-/// Lanes in which each cell changed in every quarter of the rest: one that
-/// only runs out, a counter that comes to its end, is at rest later.
-std::vector<Bits> restless(const TransitionSystem& ts, Runs runs) {
+/// By cell, the lanes in which it changed while nothing else did.
+struct Restless {
+  /// In every quarter of the scans: what only runs out, as a counter does when
+  /// it comes to its end, is at rest later.
+  std::vector<Bits> again_and_again;
+  std::vector<Bits> every_scan;
+};
+
+Restless restless(const TransitionSystem& ts, Runs runs) {
   constexpr std::uint32_t kQuarter = kRestScans / 4;
   const std::size_t cells = ts.cell_end.size();
-  std::vector<Bits> always(cells, ~Bits{0});
+  Restless found = {std::vector<Bits>(cells, ~Bits{0}),
+                    std::vector<Bits>(cells, ~Bits{0})};
   std::vector<Bits> changed(cells, 0);
   runs.freeze();
   for (std::uint32_t scan = 1; scan <= 2 * kRestScans; ++scan) {
     const Bits valid = runs.evaluate();
     for (std::size_t i = 0; i < cells; ++i) {
       if (ts.exprs[ts.cell_end[i]].type == Type::Word) continue;
-      changed[i] |=
+      const Bits change =
           (runs.bits(ts.cell_end[i]) ^ runs.bits(ts.cell_begin[i])) & valid;
+      changed[i] |= change;
+      if (scan > kRestScans) found.every_scan[i] &= change;
     }
     runs.advance(valid);
     if (scan % kQuarter != 0) continue;
-    if (scan > kRestScans) {
-      for (std::size_t i = 0; i < cells; ++i) always[i] &= changed[i];
+    for (std::size_t i = 0; i < cells; ++i) {
+      if (scan > kRestScans) found.again_and_again[i] &= changed[i];
     }
     changed.assign(cells, 0);
   }
-  return always;
+  return found;
 }
 
 Unrest describe(const TransitionSystem& ts, const Runs& runs, CellId cell,
                 Bits lanes) {
-  Unrest unrest{cell, {}};
+  Unrest unrest{cell, {}, false};
   const auto lane = static_cast<std::size_t>(std::countr_zero(lanes));
   for (const Variable& var : ts.vars) {
     if (var.role != VarRole::Input || !runs.needed(var.expr)) continue;
@@ -370,11 +379,15 @@ std::vector<Unrest> sample_unrest(const TransitionSystem& ts,
       runs.choose_inputs();
       runs.advance(runs.evaluate());
     }
-    const std::vector<Bits> lanes = restless(ts, runs);
-    for (std::uint32_t i = 0; i < lanes.size(); ++i) {
-      if (lanes[i] == 0 || seen[i]) continue;
+    const Restless lanes = restless(ts, runs);
+    for (std::uint32_t i = 0; i < seen.size(); ++i) {
+      if (lanes.again_and_again[i] == 0 || seen[i]) continue;
       seen[i] = true;
-      found.push_back(describe(ts, runs, CellId(i), lanes[i]));
+      const bool flickers = lanes.every_scan[i] != 0;
+      found.push_back(
+          describe(ts, runs, CellId(i),
+                   flickers ? lanes.every_scan[i] : lanes.again_and_again[i]));
+      found.back().every_scan = flickers;
     }
     scans += 2 * kRestScans;
   }

@@ -24,6 +24,7 @@ std::vector<bool> sample(const TransitionSystem& ts,
 struct Unrest {
   CellId cell;
   std::vector<std::pair<CellId, std::int64_t>> held;  // the inputs
+  bool every_scan = false;  // it changed in each of them
 };
 inline constexpr std::uint32_t kRestScans = 32;
 

@@ -12,7 +12,8 @@ buttons pressed it is on. The solver shows a scan in which that happens.
 
 ## Why it matters
 A start button that sticks, or is held, keeps the machine running whatever the
-stop does. Stop has to win. It is often only a missing pair of parentheses.
+stop does: for a motor, stop has to win. It is often only a missing pair of
+parentheses.
 
 ## Example
 Bad:
@@ -24,18 +25,32 @@ Good:
     Q0 = (I0 || Q0) && !I1;
 
 ## Limits
-Nothing is reported when start and stop can never be active together, or when a
-property line of the cell says `dominant set`.
+A note: for the memory of an alarm it is right that setting wins. Nothing is
+reported when start and stop can never be active together, when the start branch
+reads the cell itself (a toggle), or when a property line of the cell says
+`dominant set`.
 )md";
 
-/// Does `//@ latch Q ... dominant set` say that it is meant so?
-bool is_meant(const RuleRun& run, CellId cell) {
+/// By cell: a line `//@ latch Q ... dominant set` says that it is meant so.
+std::vector<bool> meant_cells(const RuleRun& run) {
+  std::vector<bool> meant(run.program.cells.size());
   for (const Property& property : run.properties.properties) {
-    if (property.form == Property::Form::Latch && property.dominant_set &&
-        !property.formulas.empty() &&
-        property.formulas[0] == run.program.cells[cell].name) {
-      return true;
+    if (property.form != Property::Form::Latch || !property.dominant_set ||
+        property.formulas.empty()) {
+      continue;
     }
+    const CellId cell = run.index.find(property.formulas[0]);
+    if (cell.has_value()) meant[cell.index()] = true;
+  }
+  return meant;
+}
+
+/// `Q && !P || !Q && P`: a toggle has no start and no stop.
+bool reads_target(const RuleRun& run, const Latch& latch, std::size_t set) {
+  const std::uint32_t node = latch.sets[set];
+  for (std::uint32_t i = run.index.first[node]; i <= node; ++i) {
+    const Node& part = run.program.nodes[i];
+    if (part.op == NodeOp::Read && part.cell == latch.cell) return true;
   }
   return false;
 }
@@ -65,10 +80,11 @@ void ask(RuleRun& run, const Latch& latch, std::size_t set) {
 }
 
 void check(RuleRun& run) {
+  const std::vector<bool> meant = meant_cells(run);
   for (const Latch& latch : run.latches) {
-    if (is_meant(run, latch.cell)) continue;
+    if (meant[latch.cell.index()]) continue;
     for (std::size_t set = 0; set < latch.sets.size(); ++set) {
-      if (latch.bypassed[set] == 0) continue;
+      if (latch.bypassed[set] == 0 || reads_target(run, latch, set)) continue;
       ask(run, latch, set);
       break;
     }
@@ -78,7 +94,7 @@ void check(RuleRun& run) {
 }  // namespace
 
 constinit const Rule start_dominant_latch = {
-    "RP402", "start-dominant-latch", Severity::Warning, Decision::Solver, kDoc,
+    "RP402", "start-dominant-latch", Severity::Note, Decision::Solver, kDoc,
     check};
 
 }  // namespace rung
