@@ -16,7 +16,7 @@ std::vector<ExprId> growth_terms(TransitionSystem& ts) {
 }
 
 JumpCircuit::JumpCircuit(Cone& cone, const std::vector<ExprId>& growth)
-    : cone_(&cone), growth_(&growth), bits_(cone.bits()) {
+    : cone_(&cone), bits_(cone.bits()) {
   const TransitionSystem& ts = cone.ts();
   for (std::uint32_t state : cone.states()) {
     if (!ts.states[state].clock) continue;

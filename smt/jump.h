@@ -48,7 +48,6 @@ class JumpCircuit {
   void finish();
 
   Cone* cone_;
-  const std::vector<ExprId>* growth_;
   bool useful_ = false;
   AigLit taken_ = kAigFalse;
   Word delta_;

@@ -29,7 +29,7 @@ MachineRun::MachineRun(const Program& program, std::string& problem)
   memory_.resize(rungproof::Machine::memory_words(code, length));
   const rungproof::Refusal refusal = machine_.begin(
       code, length, memory_.data(), static_cast<std::uint32_t>(memory_.size()));
-  if (refusal != rungproof::Refusal::kNone) {
+  if (refusal != rungproof::Refusal::None) {
     problem =
         "the machine refuses it: " + std::to_string(static_cast<int>(refusal));
     return;
