@@ -18,7 +18,6 @@ Simulation::Simulation(Cone& cone, const JumpCircuit* jump, AigLit never,
                        std::vector<std::int64_t> first)
     : cone_(&cone),
       jump_(jump != nullptr && jump->useful() ? jump : nullptr),
-      never_(never),
       legal_(
           cone.circuit().aig().conjunction(cone.constraint(), aig_not(never))),
       lanes_(cone.circuit().aig()) {

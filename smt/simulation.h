@@ -65,7 +65,6 @@ class Simulation {
 
   Cone* cone_;
   const JumpCircuit* jump_;
-  AigLit never_;
   AigLit legal_;
   Lanes lanes_;
   std::vector<AigLit> input_bits_;

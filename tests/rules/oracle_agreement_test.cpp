@@ -77,7 +77,9 @@ class RandomScript {
   }
 
  private:
-  int pick(int below) { return static_cast<int>(random_() % below); }
+  int pick(int below) {
+    return static_cast<int>(random_() % static_cast<unsigned>(below));
+  }
 
   std::string name(std::initializer_list<const char*> names) {
     return *(names.begin() + pick(static_cast<int>(names.size())));
