@@ -12,10 +12,10 @@ namespace rung {
 /// violation of an invariant, the goal of a `reach`, a trigger, a fault.
 struct Target {
   enum class Purpose : std::uint8_t {  // from the least strict
-    Trigger,    // hoped to be reachable
-    Witness,    // the same, and its run is replayed
-    Violation,  // hoped to be unreachable
-    Fault,      // hoped to be unreachable; runs to it are not searched
+    Trigger,                           // hoped to be reachable
+    Witness,                           // the same, and its run is replayed
+    Violation,                         // hoped to be unreachable
+    Fault,  // hoped to be unreachable; runs to it are not searched
   };
   enum class Status : std::uint8_t { Open, Reached, Unreachable };
 

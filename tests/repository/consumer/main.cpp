@@ -7,9 +7,9 @@
 /// Proves an interlock through the library; exit status 0 when it is proved.
 int main() {
   rung::SourceSet sources;
-  const rung::FileId file = sources.add(
-      "interlock.rung",
-      "//@ never Q0 && Q1\nQ0 = I0 && !Q1;\nQ1 = I1 && !Q0;\n");
+  const rung::FileId file =
+      sources.add("interlock.rung",
+                  "//@ never Q0 && Q1\nQ0 = I0 && !Q1;\nQ1 = I1 && !Q0;\n");
   rung::DiagnosticList diagnostics;
   const rung::Ast ast = rung::read_script(sources, file, "", diagnostics);
   rung::Program program = rung::build_program(ast, {}, diagnostics);
