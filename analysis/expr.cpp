@@ -122,7 +122,11 @@ ExprId ExprArena::conjunction(ExprId a, ExprId b) {
 }
 
 ExprId ExprArena::disjunction(ExprId a, ExprId b) {
-  return negation(conjunction(negation(a), negation(b)));
+  // One after the other: the order of arguments is the compiler's choice, and
+  // terms are printed in the order in which they were made.
+  const ExprId not_a = negation(a);
+  const ExprId not_b = negation(b);
+  return negation(conjunction(not_a, not_b));
 }
 
 ExprId ExprArena::implication(ExprId a, ExprId b) {

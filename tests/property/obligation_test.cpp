@@ -42,10 +42,10 @@ TEST(Obligations, OfALatchInTheirOrder) {
     EXPECT_EQ(made.all[i].goal, i == 0 ? Goal::Reach : Goal::Invariant);
     EXPECT_EQ(made.all[i].trigger.has_value(), i != 0);
   }
-  EXPECT_EQ(made.condition("m.settable"), "!Q0 && (Q0 || I0) && !I1");
-  EXPECT_EQ(made.condition("m.sets"), "!I0 || I1 || (Q0 || I0) && !I1");
-  EXPECT_EQ(made.condition("m.holds"), "(Q0 || I0) && !I1 || !Q0 || I1");
-  EXPECT_EQ(made.condition("m.resets"), "!I1 || !Q0 && !I0 || I1");
+  EXPECT_EQ(made.condition("m.settable"), "!Q0 && (I0 || Q0) && !I1");
+  EXPECT_EQ(made.condition("m.sets"), "!I0 || I1 || (I0 || Q0) && !I1");
+  EXPECT_EQ(made.condition("m.holds"), "(I0 || Q0) && !I1 || !Q0 || I1");
+  EXPECT_EQ(made.condition("m.resets"), "!I1 || !I0 && !Q0 || I1");
 }
 
 TEST(Obligations, OneScanReleasesARightLatchFromEveryState) {
