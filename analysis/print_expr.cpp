@@ -11,13 +11,13 @@ namespace {
 // A term that shares subterms can be exponentially longer as text.
 constexpr std::size_t kMaxText = 4000;
 
-enum Strength : int { kChoose, kOr, kAnd, kCompare, kSum, kProduct, kPrefix };
+enum Strength : int { Choose, Or, And, Compare, Sum, Product, Prefix };
 
 /// A piece of text, or a term that is still to be printed.
 struct Piece {
   std::string_view text;
   ExprId term;
-  int strength = kChoose;  // weaker operators need brackets here
+  int strength = Choose;  // weaker operators need brackets here
   bool negated = false;
 };
 
@@ -54,9 +54,9 @@ class Printer {
 
   void binary(const Expr& expr, std::string_view sign, int strength, int outer,
               bool negated = false) {
-    const bool compares = strength == kCompare;
+    const bool compares = strength == Compare;
     const int left = compares ? strength + 1 : strength;
-    const int right = strength == kProduct || compares ? strength + 1 : left;
+    const int right = strength == Product || compares ? strength + 1 : left;
     push({{{}, expr.a, left, negated}, {sign}, {{}, expr.b, right, negated}},
          strength, outer);
   }
@@ -72,28 +72,28 @@ class Printer {
       case ExprOp::Not:
         return expand_negated(expr.a, outer);
       case ExprOp::And:
-        return binary(expr, " && ", kAnd, outer);
+        return binary(expr, " && ", And, outer);
       case ExprOp::Xor:
-        return binary(expr, " != ", kCompare, outer);
+        return binary(expr, " != ", Compare, outer);
       case ExprOp::Equal:
-        return binary(expr, " == ", kCompare, outer);
+        return binary(expr, " == ", Compare, outer);
       case ExprOp::Less:
-        return binary(expr, " < ", kCompare, outer);
+        return binary(expr, " < ", Compare, outer);
       case ExprOp::Add:
-        return binary(expr, " + ", kSum, outer);
+        return binary(expr, " + ", Sum, outer);
       case ExprOp::Multiply:
-        return binary(expr, " * ", kProduct, outer);
+        return binary(expr, " * ", Product, outer);
       case ExprOp::Divide:
-        return binary(expr, " / ", kProduct, outer);
+        return binary(expr, " / ", Product, outer);
       case ExprOp::Wrap16:
-        return push({{"wrap16("}, {{}, expr.a}, {")"}}, kPrefix, outer);
+        return push({{"wrap16("}, {{}, expr.a}, {")"}}, Prefix, outer);
       case ExprOp::Ite:
-        return push({{{}, expr.a, kOr},
+        return push({{{}, expr.a, Or},
                      {" ? "},
-                     {{}, expr.b, kOr},
+                     {{}, expr.b, Or},
                      {" : "},
-                     {{}, expr.c, kOr}},
-                    kChoose, outer);
+                     {{}, expr.c, Or}},
+                    Choose, outer);
     }
   }
 
@@ -107,20 +107,20 @@ class Printer {
         open_.push_back({{}, expr.a, outer});
         return;
       case ExprOp::And:
-        return binary(expr, " || ", kOr, outer, true);
+        return binary(expr, " || ", Or, outer, true);
       case ExprOp::Xor:
-        return binary(expr, " == ", kCompare, outer);
+        return binary(expr, " == ", Compare, outer);
       case ExprOp::Equal:
-        return binary(expr, " != ", kCompare, outer);
+        return binary(expr, " != ", Compare, outer);
       case ExprOp::Less:
-        return binary(expr, " >= ", kCompare, outer);
+        return binary(expr, " >= ", Compare, outer);
       case ExprOp::Variable:
       case ExprOp::Add:
       case ExprOp::Multiply:
       case ExprOp::Divide:
       case ExprOp::Wrap16:
       case ExprOp::Ite:
-        return push({{"!"}, {{}, id, kPrefix}}, kPrefix, outer);
+        return push({{"!"}, {{}, id, Prefix}}, Prefix, outer);
     }
   }
 

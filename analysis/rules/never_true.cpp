@@ -6,8 +6,9 @@
 
 namespace rung {
 
-void ask_never_true(RuleRun& run, ElementFamily family,
-                    std::function<void(RuleRun&, const NeverTrue&)> report) {
+void ask_never_true(
+    RuleRun& run, ElementFamily family,
+    const std::function<void(RuleRun&, const NeverTrue&)>& report) {
   ExprArena& exprs = run.ts.exprs;
   for (const CallId id : ids_of(run.program.calls)) {
     const ElementCall& call = run.program.calls[id];

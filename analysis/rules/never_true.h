@@ -17,7 +17,8 @@ struct NeverTrue {
 
 /// Asks of every call that runs an element of the family (not of resets).
 /// Calls that are never executed are left out.
-void ask_never_true(RuleRun& run, ElementFamily family,
-                    std::function<void(RuleRun&, const NeverTrue&)> report);
+void ask_never_true(
+    RuleRun& run, ElementFamily family,
+    const std::function<void(RuleRun&, const NeverTrue&)>& report);
 
 }  // namespace rung

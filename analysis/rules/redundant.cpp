@@ -137,7 +137,7 @@ void ask_rung(RuleRun& run, const Rung& rung, const Report& report) {
 
 }  // namespace
 
-void ask_redundant(RuleRun& run, Report report) {
+void ask_redundant(RuleRun& run, const Report& report) {
   if (!run.has_oracle) return;
   for (const Rung& rung : run.program.rungs) {
     if (run.program.cells[rung.target].type == Type::Bit &&

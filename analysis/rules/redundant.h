@@ -19,7 +19,8 @@ struct Redundant {
 /// induction over the scans the program without it then is the same program.
 /// `report` is called at most once a rung, with the largest such operand (of
 /// equal ones the last). Rungs whose value is a constant are left out.
-void ask_redundant(RuleRun& run,
-                   std::function<void(RuleRun&, const Redundant&)> report);
+void ask_redundant(
+    RuleRun& run,
+    const std::function<void(RuleRun&, const Redundant&)>& report);
 
 }  // namespace rung

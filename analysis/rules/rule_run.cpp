@@ -109,6 +109,7 @@ void RuleRun::ask_oracle(std::vector<Evidence>& answers) const {
   const std::vector<std::size_t> chosen = select(answers);
   if (chosen.empty()) return;
   std::vector<ExprId> terms;
+  terms.reserve(chosen.size());
   for (const std::size_t i : chosen) terms.push_back(conditions_[i]);
   std::vector<std::uint32_t> asked(ts.exprs.size(), 0);  // position + 1
   for (std::uint32_t k = 0; k < terms.size(); ++k) {

@@ -368,13 +368,13 @@ std::vector<Unrest> sample_unrest(const TransitionSystem& ts,
   Runs runs(ts, observed);
   const std::uint64_t affordable =
       std::min(runs.scans_for(work), kMostScans / 2);
-  if (affordable <= 2 * kRestScans) return {};
+  if (affordable <= std::uint64_t{2} * kRestScans) return {};
   runs.start();
   std::vector<Unrest> found;
   std::vector<bool> seen(ts.cell_end.size());
   std::uint64_t scans = 0;
-  for (std::uint64_t next_look = 1; scans + 2 * kRestScans <= affordable;
-       next_look *= 2) {
+  for (std::uint64_t next_look = 1;
+       scans + std::uint64_t{2} * kRestScans <= affordable; next_look *= 2) {
     for (std::uint64_t i = 0; i < next_look; ++i, ++scans) {
       runs.choose_inputs();
       runs.advance(runs.evaluate());
@@ -389,7 +389,7 @@ std::vector<Unrest> sample_unrest(const TransitionSystem& ts,
                    flickers ? lanes.every_scan[i] : lanes.again_and_again[i]));
       found.back().every_scan = flickers;
     }
-    scans += 2 * kRestScans;
+    scans += std::uint64_t{2} * kRestScans;
   }
   return found;
 }
