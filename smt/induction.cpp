@@ -54,8 +54,9 @@ class Houdini {
 
   /// Do `shown` follow from `assumed`? Fills `core` with the items assumed
   /// that were needed.
-  bool follows(const std::vector<Item>& items, std::vector<int> shown_fail,
-               std::vector<bool>& core, std::int64_t conflicts) {
+  bool follows(const std::vector<Item>& items,
+               const std::vector<int>& shown_fail, std::vector<bool>& core,
+               std::int64_t conflicts) {
     for (const Item& item : items) sat_.assume(item.active);
     sat_.constrain(shown_fail);
     if (sat_.solve(conflicts) != SatAnswer::Unsat) return false;

@@ -8,6 +8,7 @@ namespace {
 
 std::vector<ExprId> terms(const std::vector<Target*>& targets) {
   std::vector<ExprId> result;
+  result.reserve(targets.size());
   for (const Target* target : targets) result.push_back(target->term);
   return result;
 }

@@ -187,6 +187,7 @@ void Simulation::advance() {
     log_.back().deltas = std::move(deltas);
   }
   std::vector<std::uint64_t> next;
+  next.reserve(bits.size());
   for (const StateBit& bit : bits) next.push_back(lanes_.value(bit.next));
   for (std::size_t i = 0; i < bits.size(); ++i) {
     lanes_.set(bits[i].leaf, next[i]);
