@@ -182,13 +182,13 @@ VerifyReport verify(const Program& program, const PropertySet& properties,
 }
 
 const std::vector<EngineInfo>& engines() {
-  static const std::vector<EngineInfo> kEngines = {
+  static const std::vector<EngineInfo> list = {
       {"bmc", "bounded search for runs, with jumps over quiet scans"},
       {"induction", "joint k-induction, with lemmas guessed from random runs"},
       {"pdr", "property-directed reachability on bits and comparisons"},
       {"simulation", "random runs, 64 at a time, with the same jumps"},
   };
-  return kEngines;
+  return list;
 }
 
 std::vector<std::pair<std::string, std::string>> solver_versions() {
