@@ -222,7 +222,7 @@ std::vector<bool> needed_lemmas(Cone& cone, const Known& known,
   std::vector<bool> needed(items.size(), false);
   std::vector<bool> core;
   while (!open.empty()) {
-    if (!session.follows(items, std::move(open), core, conflicts)) {
+    if (!session.follows(items, open, core, conflicts)) {
       return std::vector<bool>(items.size(), true);
     }
     open.clear();
