@@ -31,12 +31,17 @@ class BoundedSearch {
   };
   Result search(std::uint32_t depth, const std::vector<AigLit>& targets,
                 std::int64_t conflicts);
+  /// The same for a target at the end of any step up to `depth`, and the run
+  /// may go on behind it. None says nothing: a run may end there for good.
+  Result search_within(std::uint32_t depth, const std::vector<AigLit>& targets,
+                       std::int64_t conflicts);
   /// Makes the run just found the shortest and calmest of its depth, as far as
   /// so many queries go.
   void minimise(Result& result, std::uint32_t queries);
 
  private:
   void extend(std::uint32_t depth);
+  Result solve(AigLit any, std::uint32_t depth, std::int64_t conflicts);
   Run decode(std::uint32_t depth);
   std::int64_t value(std::uint32_t frame, const Word& word);
   AigLit copied(std::uint32_t frame, AigLit of) {

@@ -15,9 +15,8 @@ std::vector<ExprId> terms(const std::vector<Target*>& targets) {
 
 /// Queries that make one run of the bounded search shorter and calmer.
 constexpr std::uint32_t kMinimiseQueries = 300;
-constexpr std::uint32_t kPreludeSteps = 160;  // of random runs
+constexpr std::uint32_t kPreludeSteps = 500;  // of random runs
 constexpr std::uint32_t kFirstRounds = 3;
-constexpr std::uint32_t kIdleSteps = 20;
 constexpr std::uint32_t kSimulated = 48;
 
 }  // namespace
@@ -55,11 +54,27 @@ bool Portfolio::any_doubtful() const {
                      [](const Target* t) { return t->doubtful(); });
 }
 
-bool Portfolio::any_to_search() const {
-  return std::any_of(targets_.begin(), targets_.end(), [](const Target* t) {
-    return t->status == Target::Status::Open &&
-           t->purpose != Target::Purpose::Fault;
-  });
+/// Runs to faults are not searched for.
+bool Portfolio::is_sought(const Target& target, Sought what) const {
+  return target.status == Target::Status::Open &&
+         target.purpose != Target::Purpose::Fault &&
+         (what == Sought::All || target.hidden == (what == Sought::Hidden));
+}
+
+bool Portfolio::any_sought(Sought what) const {
+  return std::any_of(targets_.begin(), targets_.end(),
+                     [&](const Target* t) { return is_sought(*t, what); });
+}
+
+std::vector<Target*> Portfolio::sought(Sought what,
+                                       std::vector<AigLit>& goals) const {
+  std::vector<Target*> of;
+  for (std::size_t i = 0; i < targets_.size(); ++i) {
+    if (!is_sought(*targets_[i], what)) continue;
+    goals.push_back(cone_.roots()[i]);
+    of.push_back(targets_[i]);
+  }
+  return of;
 }
 
 void Portfolio::unreachable(std::size_t i, std::string_view engine) {
@@ -136,29 +151,53 @@ void Portfolio::simulate(std::uint32_t steps, bool sample) {
   if (sample) {
     templates_ = std::make_unique<Templates>(ts_, cone_, terms(targets_));
   }
+  for (Target* target : targets_) target->hit = {};
   std::uint32_t idle = 0;  // steps that met nothing new
   for (std::uint32_t i = 0; i < steps && !out_of_time(); ++i) {
     simulation_->step();
     if (sample) templates_->sample(*simulation_);
-    ++idle;
-    for (std::size_t t = 0; t < targets_.size(); ++t) {
-      const std::uint64_t hits = simulation_->value(cone_.roots()[t]);
-      if (hits != 0 && targets_[t]->hits == 0) idle = 0;
-      targets_[t]->hits |= hits;
-    }
-    if (!sample && idle >= kIdleSteps) break;
+    idle = note_hits() || simulation_->news() ? 0 : idle + 1;
+    if (!sample && idle >= idle_steps()) break;
   }
+}
+
+/// Which targets does the last scan meet? Is one met for the first time?
+bool Portfolio::note_hits() {
+  bool first = false;
+  for (std::size_t i = 0; i < targets_.size(); ++i) {
+    const std::uint64_t lanes = simulation_->value(cone_.roots()[i]);
+    if (lanes == 0) continue;
+    Target& target = *targets_[i];
+    first = first || !target.met;
+    target.met = true;
+    if (target.hit.step == 0) {
+      target.hit.step = simulation_->steps();
+      target.hit.lane = static_cast<std::uint32_t>(std::countr_zero(lanes));
+    }
+    if (simulation_->steps() <= RandomHit::kFirstSteps) {
+      target.hit.lanes |= lanes & ~Simulation::kGuided;
+    }
+  }
+  return first;
+}
+
+/// Steps without news after which there is little hope: fewer when each is
+/// dear.
+std::uint32_t Portfolio::idle_steps() {
+  constexpr std::size_t kGates = 2'000'000;  // evaluated in all
+  return static_cast<std::uint32_t>(std::clamp<std::size_t>(
+      kGates / std::max<std::size_t>(cone_.circuit().aig().size(), 1), 20,
+      100));
 }
 
 /// Runs of the simulation for what the bounded search found too hard.
 void Portfolio::take_hits() {
   if (simulation_ == nullptr) return;
   for (Target* target : targets_) {
-    if (target->status != Target::Status::Open || target->hits == 0) continue;
+    if (target->status != Target::Status::Open || target->hit.step == 0)
+      continue;
     if (target->purpose == Target::Purpose::Fault) continue;
-    const auto lane =
-        static_cast<std::uint32_t>(std::countr_zero(target->hits));
-    Run run = simulation_->run(lane);
+    Run run = simulation_->run(target->hit.step, target->hit.lane);
     const std::uint32_t steps = first_hit(cone_, run, target->term, faults_);
     if (steps == 0) continue;
     run.resize(steps);
@@ -182,7 +221,7 @@ void Portfolio::found(Target& target, Run run) {
 }
 
 /// One step deeper; false when a limit was reached.
-bool Portfolio::search_depth(std::int64_t conflicts) {
+bool Portfolio::search_depth(Sought what, std::int64_t conflicts) {
   if (search_ == nullptr) {
     search_ = std::make_unique<BoundedSearch>(
         cone_, search_jumps_ ? &jump() : nullptr, fault_, *options_.deadline);
@@ -190,14 +229,7 @@ bool Portfolio::search_depth(std::int64_t conflicts) {
   const std::uint32_t depth = depth_ + 1;
   for (;;) {
     std::vector<AigLit> goals;
-    std::vector<Target*> of;
-    for (std::size_t i = 0; i < targets_.size(); ++i) {
-      Target& target = *targets_[i];
-      if (target.status != Target::Status::Open) continue;
-      if (target.purpose == Target::Purpose::Fault) continue;
-      goals.push_back(cone_.roots()[i]);
-      of.push_back(&target);
-    }
+    const std::vector<Target*> of = sought(what, goals);
     BoundedSearch::Result result = search_->search(depth, goals, conflicts);
     if (result.answer == BoundedSearch::Answer::Unknown) return false;
     if (result.answer == BoundedSearch::Answer::None) {
@@ -215,19 +247,46 @@ bool Portfolio::search_depth(std::int64_t conflicts) {
       return true;
     }
     found(target, std::move(result.run));
-    if (!any_to_search()) return true;
+    if (!any_sought(what)) return true;
   }
 }
 
-void Portfolio::search(std::uint32_t depth, std::int64_t conflicts) {
+void Portfolio::search(Sought what, std::uint32_t depth,
+                       std::int64_t conflicts) {
   while (depth_ < std::min(depth, options_.max_depth) && !out_of_time()) {
-    const bool wanted =
-        std::any_of(targets_.begin(), targets_.end(), [](const Target* target) {
-          return target->status == Target::Status::Open &&
-                 target->purpose != Target::Purpose::Fault;
-        });
-    if (!wanted || !search_depth(conflicts)) return;
+    if (!any_sought(what) || !search_depth(what, conflicts)) return;
   }
+}
+
+/// Any run to what nobody sees, however long: far cheaper than the shortest.
+void Portfolio::search_hidden(std::uint32_t depth, std::int64_t conflicts) {
+  if (!search_jumps_ || !any_sought(Sought::Hidden)) return;
+  BoundedSearch any_run(cone_, &jump(), fault_, *options_.deadline);
+  while (!out_of_time()) {
+    std::vector<AigLit> goals;
+    const std::vector<Target*> of = sought(Sought::Hidden, goals);
+    const BoundedSearch::Result result =
+        any_run.search_within(depth, goals, conflicts);
+    if (result.answer != BoundedSearch::Answer::Found) return;
+    // One run may meet several.
+    bool met = false;
+    for (Target* target : of) {
+      const std::uint32_t steps =
+          first_hit(cone_, result.run, target->term, faults_);
+      if (steps == 0) continue;
+      Run run(result.run.begin(), result.run.begin() + steps);
+      run.back().delta = 0;
+      found(*target, std::move(run));
+      met = true;
+    }
+    if (!met || !any_sought(Sought::Hidden)) return;
+  }
+}
+
+/// From the first scan on when some target was left out so far: its bound is
+/// of every length below.
+void Portfolio::search_all_again() {
+  if (any_sought(Sought::Hidden)) depth_ = 0;
 }
 
 void Portfolio::property_directed(const PdrLimits& limits) {
@@ -267,24 +326,28 @@ void Portfolio::minimise() {
 
 void Portfolio::prelude() {
   structural();
-  if (uses("simulation") && any_to_search()) simulate(kPreludeSteps, false);
+  if (uses("simulation") && any_sought(Sought::All))
+    simulate(kPreludeSteps, false);
 }
 
 void Portfolio::run() {
   structural();
   if (uses("induction")) induction(0, false, {20000, kFirstRounds});
   if (uses("induction")) induction(1, false, {});
-  if (any_to_search()) simulate(kSimulated, any_doubtful());
-  if (uses("bmc")) search(8, 2000);
+  if (any_sought(Sought::All)) simulate(kSimulated, any_doubtful());
+  if (uses("bmc")) search(Sought::Shown, 8, 2000);
+  if (uses("bmc")) search_hidden(8, 2000);
+  if (uses("bmc")) search_hidden(24, 2000);
   if (uses("pdr") && any_doubtful()) property_directed({500, 1000});
   if (uses("induction") && any_doubtful()) guess_lemmas();
   if (uses("pdr") && any_doubtful()) property_directed({5000, 5000});
   for (std::uint32_t k = 1; uses("induction") && k <= 8; ++k) {
     if (any_doubtful() && !out_of_time()) induction(k, true, {5000, 1000});
   }
-  if (uses("bmc")) search(kSimulated, 5000);
+  search_all_again();
+  if (uses("bmc")) search(Sought::All, kSimulated, 5000);
   if (uses("simulation")) take_hits();
-  if (uses("bmc")) search(options_.max_depth, 50000);
+  if (uses("bmc")) search(Sought::All, options_.max_depth, 50000);
   if (uses("pdr") && any_doubtful()) property_directed({100000, 50000});
   minimise();
 }

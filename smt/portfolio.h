@@ -47,21 +47,28 @@ class Portfolio {
  private:
   const JumpCircuit& jump();
   bool any_doubtful() const;
-  bool any_to_search() const;
   bool uses(std::string_view engine) const {
     return options_.engine.empty() || options_.engine == engine;
   }
   void structural();
   void induction(std::uint32_t k, bool all, const InductionLimits& limits);
   void simulate(std::uint32_t steps, bool sample);
+  bool note_hits();
+  std::uint32_t idle_steps();
   void take_hits();
   void guess_lemmas();
   void learn(std::vector<Candidate> lemmas, std::uint32_t k, bool all,
              const InductionLimits& limits);
   void property_directed(const PdrLimits& limits);
   void minimise();
-  void search(std::uint32_t depth, std::int64_t conflicts);
-  bool search_depth(std::int64_t conflicts);
+  enum class Sought : std::uint8_t { Shown, Hidden, All };
+  bool is_sought(const Target& target, Sought what) const;
+  bool any_sought(Sought what) const;
+  std::vector<Target*> sought(Sought what, std::vector<AigLit>& goals) const;
+  void search(Sought what, std::uint32_t depth, std::int64_t conflicts);
+  bool search_depth(Sought what, std::int64_t conflicts);
+  void search_hidden(std::uint32_t depth, std::int64_t conflicts);
+  void search_all_again();
   void found(Target& target, Run run);
   void unreachable(std::size_t i, std::string_view engine);
   bool out_of_time() const { return options_.deadline->passed(); }

@@ -1,6 +1,7 @@
 #include "smt/simulation.h"
 
 #include <algorithm>
+#include <bit>
 #include <limits>
 
 #include "smt/sat.h"
@@ -11,6 +12,8 @@ namespace rung {
 namespace {
 
 constexpr std::uint64_t kAll = ~std::uint64_t{0};
+constexpr std::uint32_t kEra = 12;  // steps; then guided lanes start again
+constexpr std::size_t kStarts = 64;
 
 }  // namespace
 
@@ -30,14 +33,27 @@ Simulation::Simulation(Cone& cone, const JumpCircuit* jump, AigLit never,
       if (aig_node(bit) != 0) input_bits_.push_back(bit);
     }
   }
+  for (std::size_t i = 0; i < cone.inputs().size(); ++i) {
+    frozen_.push_back(random());
+  }
   for (const StateBit& bit : cone.bits()) {
     lanes_.set(bit.leaf, bit.init ? kAll : 0);
   }
+  for (std::uint32_t state : cone.states()) {
+    const State& of = cone.ts().states[state];
+    if (of.clock) continue;
+    const Word& word = cone.circuit().leaves(of.var);
+    const std::int64_t now = lanes_.value(word, 0);
+    records_.push_back({word, now, now});
+  }
+  for (const StateBit& bit : cone.bits()) movable_.push_back(bit.leaf);
+  movable_.insert(movable_.end(), input_bits_.begin(), input_bits_.end());
   if (jump_ == nullptr) return;
   const auto compared = thresholds(cone);
   for (std::uint32_t state : cone.states()) {
     if (!cone.ts().states[state].clock) continue;
-    clocks_.push_back({cone.circuit().next(state), compared.at(state)});
+    clocks_.push_back({cone.circuit().leaves(cone.ts().states[state].var),
+                       cone.circuit().next(state), compared.at(state)});
   }
 }
 
@@ -73,18 +89,26 @@ std::uint64_t Simulation::changing_lanes() {
          (calm & kQuarter << 48U);
 }
 
-/// New inputs in some lanes; most changes are of few inputs.
+/// New inputs in some lanes; most changes are of few inputs. In guided lanes
+/// some inputs rest for an era: what needs many scans without a stop is met
+/// too.
 void Simulation::propose() {
   const TransitionSystem& ts = cone_->ts();
   const std::uint64_t change = changing_lanes();
   const std::uint64_t many = steps() == 0 ? kAll : random() & random();
+  std::size_t bit = 0;
   for (VarId input : cone_->inputs()) {
     const Variable& var = ts.vars[input];
     const Word& leaves = cone_->circuit().leaves(input);
     if (var.type == Type::Bit) {
+      const std::uint64_t now = lanes_.value(leaves.front());
+      if (steps() % kEra == 0) {
+        frozen_[bit] = steps() == 0 ? 0 : random() & random() & kGuided;
+      }
       const std::uint64_t flip =
-          change & (random() & (many | (random() & random())));
-      lanes_.set(leaves.front(), lanes_.value(leaves.front()) ^ flip);
+          change & (random() & (many | (random() & random()))) & ~frozen_[bit];
+      ++bit;
+      lanes_.set(leaves.front(), now ^ flip);
       continue;
     }
     const bool is_dt = var.role == VarRole::Dt;
@@ -126,11 +150,12 @@ void Simulation::set_stretch(const std::vector<std::int64_t>& deltas) {
   }
 }
 
-/// How long until some clock is what it is compared with.
+/// How long until some clock that runs is what it is compared with.
 std::int64_t Simulation::time_to_event(std::uint32_t lane) const {
   std::int64_t time = std::numeric_limits<std::int64_t>::max();
   for (const Clock& clock : clocks_) {
     const std::int64_t now = lanes_.value(clock.next, lane);
+    if (now <= lanes_.value(clock.before, lane)) continue;
     const auto event =
         std::upper_bound(clock.thresholds.begin(), clock.thresholds.end(), now);
     if (event != clock.thresholds.end()) time = std::min(time, *event - now);
@@ -148,13 +173,19 @@ std::int64_t Simulation::legal_sum(std::int64_t delta) const {
 }
 
 /// A delta for each lane in which no comparison flips; 0 where none is found.
+/// Long waits are taken seldom: they hide short ones, and every scan of a run
+/// is replayed in the end.
 std::vector<std::int64_t> Simulation::longest_stretches() {
   constexpr int kTries = 3;
+  constexpr std::int64_t kPatience[] = {
+      1'000, 10'000, 100'000, std::numeric_limits<std::int64_t>::max()};
   const std::int64_t most =
       (std::int64_t{1} << (jump_->delta().size() - 1)) - 1;
   std::vector<std::int64_t> deltas;
   for (std::uint32_t lane = 0; lane < Lanes::kCount; ++lane) {
-    deltas.push_back(legal_sum(std::min(time_to_event(lane) - 1, most)));
+    const std::int64_t wait = time_to_event(lane) - 1;
+    const std::int64_t patience = kPatience[random() >> 8U & 3U];
+    deltas.push_back(wait > patience ? 0 : legal_sum(std::min(wait, most)));
   }
   lanes_.set(jump_->taken(), kAll);
   for (int i = 0; i < kTries; ++i) {
@@ -194,18 +225,118 @@ void Simulation::advance() {
   }
 }
 
+/// Lanes in which the word is greater than `bound`, or (`down`) less: which is
+/// the same of the complements.
+std::uint64_t Simulation::beyond(const Word& word, std::int64_t bound,
+                                 bool down) const {
+  const std::uint64_t flip = down ? kAll : 0;
+  const auto limit = static_cast<std::uint64_t>(bound) ^ flip;
+  std::uint64_t beyond = 0;
+  for (std::size_t i = 0; i < word.size(); ++i) {
+    // The last bit of a number is its sign: 0 is the greater one.
+    const bool sign = word.size() > 1 && i + 1 == word.size();
+    const std::uint64_t bit = lanes_.value(word[i]) ^ flip ^ (sign ? kAll : 0);
+    const bool set = (limit >> std::min<std::size_t>(i, 63) & 1U) != sign;
+    beyond = set ? beyond & bit : beyond | bit;
+  }
+  return beyond;
+}
+
+/// Lanes in which some state is where no run had it.
+std::uint64_t Simulation::record_breakers() {
+  constexpr int kAtOnce = 4;  // of one state: each goes beyond the last
+  std::uint64_t breakers = 0;
+  for (Record& record : records_) {
+    for (int i = 0; i < kAtOnce; ++i) {
+      const std::uint64_t up = beyond(record.word, record.high, false) & alive_;
+      const std::uint64_t down = beyond(record.word, record.low, true) & alive_;
+      if ((up | down) == 0) break;
+      const int lane = std::countr_zero(up != 0 ? up : down);
+      breakers |= std::uint64_t{1} << lane;
+      (up != 0 ? record.high : record.low) =
+          lanes_.value(record.word, static_cast<std::uint32_t>(lane));
+    }
+  }
+  return breakers;
+}
+
+/// Keeps where these lanes are, before new inputs.
+void Simulation::remember(std::uint64_t lanes) {
+  for (std::uint32_t lane = 0; lane < Lanes::kCount; ++lane) {
+    if ((lanes >> lane & 1U) == 0) continue;
+    Start start{{steps() - 1, lane}, {}};
+    start.values.reserve(movable_.size());
+    for (AigLit bit : movable_) {
+      start.values.push_back((lanes_.value(bit) >> lane & 1U) != 0);
+    }
+    if (starts_.size() < kStarts) {
+      starts_.push_back(std::move(start));
+    } else {
+      starts_[next_start_] = std::move(start);
+    }
+    next_start_ = (next_start_ + 1) % kStarts;
+  }
+}
+
+/// Guided lanes go on from where records were broken: half of them from the
+/// last one, a quarter from any.
+std::vector<Simulation::Place> Simulation::restart() {
+  if (starts_.empty()) return {};
+  std::vector<Place> origin;
+  std::vector<const Start*> start(Lanes::kCount, nullptr);
+  for (std::uint32_t lane = 0; lane < Lanes::kCount; ++lane) {
+    origin.push_back({steps() - 1, lane});
+    const std::uint64_t dice = random() >> 8U;
+    if ((kGuided >> lane & 1U) == 0 || (dice & 3U) == 0) continue;
+    const std::size_t last = (next_start_ + kStarts - 1) % kStarts;
+    const std::size_t any = (dice >> 2U) % starts_.size();
+    start[lane] = &starts_[(dice & 3U) == 1 ? any : last];
+    origin[lane] = start[lane]->place;
+    alive_ |= std::uint64_t{1} << lane;
+  }
+  for (std::size_t i = 0; i < movable_.size(); ++i) {
+    std::uint64_t value = lanes_.value(movable_[i]);
+    for (std::uint32_t lane = 0; lane < Lanes::kCount; lane += 2) {
+      if (start[lane] == nullptr) continue;
+      const std::uint64_t bit = start[lane]->values[i] ? 1 : 0;
+      value = (value & ~(std::uint64_t{1} << lane)) | bit << lane;
+    }
+    lanes_.set(movable_[i], value);
+  }
+  return origin;
+}
+
 void Simulation::step() {
-  if (!log_.empty()) advance();
+  news_ = false;
+  if (!log_.empty()) {
+    advance();
+    const std::uint64_t breakers = record_breakers();
+    news_ = breakers != 0;
+    remember(breakers);
+  }
+  Step next;
+  if (steps() > 0 && steps() % kEra == 0) next.origin = restart();
   const std::vector<std::uint64_t> before = inputs();
   propose();
   keep_legal(before);
-  log_.push_back({inputs(), {}});
+  next.inputs = inputs();
+  log_.push_back(std::move(next));
 }
 
-Run Simulation::run(std::uint32_t lane) const {
+Run Simulation::run(std::uint32_t step, std::uint32_t lane) const {
   Run run;
   const TransitionSystem& ts = cone_->ts();
-  for (const Step& step : log_) {
+  std::vector<Place> places;  // from the last
+  Place at{step - 1, lane};
+  for (;;) {
+    places.push_back(at);
+    if (at.step == 0) break;
+    const std::vector<Place>& origin = log_[at.step].origin;
+    at = origin.empty() ? Place{at.step - 1, at.lane} : origin[at.lane];
+  }
+  std::reverse(places.begin(), places.end());
+  for (const Place& place : places) {
+    const Step& made = log_[place.step];
     RunStep one;
     std::size_t bit = 0;
     for (VarId input : cone_->inputs()) {
@@ -214,7 +345,7 @@ Run Simulation::run(std::uint32_t lane) const {
       for (AigLit leaf : cone_->leaves(input)) {
         // A constant is the sign of a word of one sign.
         const std::uint64_t set =
-            aig_node(leaf) == 0 ? leaf : step.inputs[bit++] >> lane & 1U;
+            aig_node(leaf) == 0 ? leaf : made.inputs[bit++] >> place.lane & 1U;
         value |= set << i++;
       }
       const bool negative =
@@ -222,9 +353,10 @@ Run Simulation::run(std::uint32_t lane) const {
       if (negative) value |= kAll << i;
       one.inputs.push_back(static_cast<std::int64_t>(value));
     }
-    if (!step.deltas.empty()) one.delta = step.deltas[lane];
+    if (!made.deltas.empty()) one.delta = made.deltas[place.lane];
     run.push_back(std::move(one));
   }
+  run.back().delta = 0;
   return run;
 }
 

@@ -8,6 +8,14 @@
 
 namespace rung {
 
+/// Where a simulation met a target.
+struct RandomHit {
+  static constexpr std::uint32_t kFirstSteps = 16;
+  std::uint32_t step = 0;  // of the first run that did, from 1; 0: none
+  std::uint32_t lane = 0;
+  std::uint64_t lanes = 0;  // unguided ones that did in the first steps
+};
+
 /// A term of which an engine asks: does it hold at the end of some scan? The
 /// violation of an invariant, the goal of a `reach`, a trigger, a fault.
 struct Target {
@@ -29,10 +37,11 @@ struct Target {
   std::string_view engine;  // that decided it
   FoundRun run;             // Reached
   std::uint32_t k = 0;      // Unreachable: of the induction that showed it
-  std::uint64_t hits = 0;   // random runs that reached it, by lane
+  bool met = false;         // some random run reached it
+  RandomHit hit;            // in the last simulation
   std::uint32_t bound = 0;  // Open: no run of so many scans reaches it
 
-  bool doubtful() const { return status == Status::Open && hits == 0; }
+  bool doubtful() const { return status == Status::Open && !met; }
 };
 
 }  // namespace rung

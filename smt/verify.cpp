@@ -78,7 +78,7 @@ class Verifier {
     if (all.simulation() == nullptr) return;
     for (Target& target : questions_.targets) {
       const bool trigger = target.purpose == Target::Purpose::Trigger;
-      if (trigger && target.hits != 0) reached_by_chance(target);
+      if (trigger && target.met) reached_by_chance(target);
     }
     confirm(all);
   }
@@ -88,7 +88,8 @@ class Verifier {
   void forget() {
     for (Target& target : questions_.targets) {
       target.status = Target::Status::Open;
-      target.hits = 0;
+      target.met = false;
+      target.hit = {};
     }
   }
 
@@ -97,41 +98,56 @@ class Verifier {
     target.engine = "simulation";
   }
 
-  /// Replays the few random runs that meet most of what has no run to show.
+  /// Replays random runs that meet what has no run to show: first the few that
+  /// meet most of it, then one for each of the rest.
   void confirm(const Portfolio& all) {
+    const Simulation& random = *all.simulation();
     std::vector<std::size_t> open;
     for (std::size_t i = 0; i < questions_.obligations.size(); ++i) {
       const std::size_t goal = questions_.goal[i];
       if (goal == Questions::kNone) continue;
       const Target& target = questions_.targets[goal];
-      if (target.hidden && target.hits != 0) open.push_back(i);
+      if (target.hidden && target.hit.step != 0) open.push_back(i);
     }
-    for (int runs = 0; runs < kConfirmingRuns && !open.empty(); ++runs) {
-      const std::uint32_t lane = most_hits(open);
-      std::vector<std::size_t> tried;
-      std::vector<std::size_t> rest;
-      for (std::size_t i : open) {
-        (hits(i) >> lane & 1U) != 0 ? tried.push_back(i) : rest.push_back(i);
-      }
-      verdicts_.replay_together(
-          {all.cone().inputs(), all.simulation()->run(lane)}, tried);
+    std::uint64_t scans = 0;
+    const auto try_run = [&](Run run, const std::vector<std::size_t>& tried) {
+      scans += scan_count(run, ts_.scan);
+      if (scans > kConfirmingScans) return;
+      verdicts_.replay_together({all.cone().inputs(), std::move(run)}, tried);
       for (std::size_t i : tried) {
         Target& target = questions_.targets[questions_.goal[i]];
         if (verdicts_.is_confirmed(i)) reached_by_chance(target);
       }
-      open = std::move(rest);
+    };
+    const std::uint32_t first =
+        std::min(RandomHit::kFirstSteps, random.steps());
+    for (int runs = 0; runs < kConfirmingRuns && !open.empty(); ++runs) {
+      const std::uint32_t lane = most_hits(open);
+      const auto rest = std::stable_partition(
+          open.begin(), open.end(),
+          [&](std::size_t i) { return (hit(i).lanes >> lane & 1U) == 0; });
+      if (rest == open.end()) break;
+      try_run(random.run(first, lane), {rest, open.end()});
+      open.erase(rest, open.end());
+    }
+    // The longest first: it may meet what others do.
+    std::stable_sort(open.begin(), open.end(),
+                     [&](auto a, auto b) { return hit(a).step > hit(b).step; });
+    for (std::size_t i : open) {
+      if (verdicts_.is_confirmed(i)) continue;
+      try_run(random.run(hit(i).step, hit(i).lane), open);
     }
   }
 
-  std::uint64_t hits(std::size_t obligation) const {
-    return questions_.targets[questions_.goal[obligation]].hits;
+  const RandomHit& hit(std::size_t obligation) const {
+    return questions_.targets[questions_.goal[obligation]].hit;
   }
 
   std::uint32_t most_hits(const std::vector<std::size_t>& obligations) const {
     std::array<std::size_t, Lanes::kCount> count{};
     for (std::size_t i : obligations) {
       for (std::uint32_t lane = 0; lane < Lanes::kCount; ++lane) {
-        count[lane] += hits(i) >> lane & 1U;
+        count[lane] += hit(i).lanes >> lane & 1U;
       }
     }
     return static_cast<std::uint32_t>(
@@ -164,7 +180,8 @@ class Verifier {
     verdicts_.decided(group, invariant, overflow, share);
   }
 
-  static constexpr int kConfirmingRuns = 16;
+  static constexpr int kConfirmingRuns = 16;  // that serve many
+  static constexpr std::uint64_t kConfirmingScans = 2'000'000;
 
   const VerifyOptions& options_;
   Deadline deadline_;
