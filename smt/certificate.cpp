@@ -1,33 +1,76 @@
 #include "smt/certificate.h"
 
-#include <unistd.h>
 #include <z3.h>
 
 #include <algorithm>
 #include <chrono>
-#include <cstdlib>
-#include <filesystem>
-#include <fstream>
+#include <map>
 #include <optional>
-#include <unordered_map>
 #include <unordered_set>
 #include <utility>
 
 #include "smt/components.h"
 #include "smt/cvc5.h"
+#include "smt/script_file.h"
 #include "smt/smtlib.h"
-#include "smt/z3_context.h"
+#include "smt/z3_script.h"
 
 namespace rung {
 namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// Effort of one query in Z3's own unit, so that answers do not depend on the
-/// machine. The first try is without a clock: Z3 starts a thread for one, and
-/// that takes longer than most queries.
-constexpr unsigned kFirstTry = 5'000'000;
-constexpr unsigned kLastTry = 2'000'000'000;
+/// Bytes of accepted scripts that a session keeps.
+constexpr std::size_t kRemembered = std::size_t{64} << 20;
+
+/// An independent part of a certificate, with its script.
+struct Part {
+  Invariant invariant;
+  CertificateScript script;
+  std::string body;  // of the script
+};
+
+std::vector<Part> parts_of(const TransitionSystem& ts,
+                           const Invariant& invariant) {
+  std::vector<Part> parts;
+  for (Invariant& part : split_certificate(ts, invariant)) {
+    CertificateScript script = make_certificate_script(ts, part);
+    std::string body = script.body();
+    parts.push_back({std::move(part), std::move(script), std::move(body)});
+  }
+  return parts;
+}
+
+/// What is left of a part without some of its claims; `dropped` are the lemmas
+/// that went.
+Invariant without(const Part& part, const std::vector<std::uint32_t>& claims,
+                  std::vector<LemmaClause>& dropped) {
+  std::vector<bool> open(part.script.claims.size(), false);
+  for (const std::uint32_t claim : claims) open[claim] = true;
+  Invariant rest;
+  rest.k = part.invariant.k;
+  for (std::size_t i = 0; i < open.size(); ++i) {
+    const ScriptClaim& claim = part.script.claims[i];
+    if (claim.kind == ScriptClaim::Kind::Lemma) {
+      const LemmaClause& lemma = part.invariant.lemmas[claim.index];
+      (open[i] ? dropped : rest.lemmas).push_back(lemma);
+    } else if (claim.kind == ScriptClaim::Kind::Condition && !open[i]) {
+      rest.conditions.push_back(part.invariant.conditions[claim.index]);
+    }
+  }
+  return rest;
+}
+
+template <class T>
+void append(std::vector<T>& to, const std::vector<T>& from) {
+  to.insert(to.end(), from.begin(), from.end());
+}
+
+Clock::time_point deadline_in(double seconds) {
+  return Clock::now() +
+         std::chrono::duration_cast<Clock::duration>(
+             std::chrono::duration<double>(std::clamp(seconds, 0.0, 1e6)));
+}
 
 std::string describe(const TransitionSystem& ts, const Invariant& invariant,
                      const CertificateScript& script,
@@ -61,215 +104,6 @@ std::string uncovered_goal(const TransitionSystem& ts,
   return {};
 }
 
-/// One script in a Z3 solver of its own.
-class Z3Script {
- public:
-  Z3Script(const Z3Context& context, const CertificateScript& script,
-           Clock::time_point deadline)
-      : context_(context),
-        c_(context.get()),
-        script_(script),
-        deadline_(deadline) {
-    // Without tactics: what is asked are many small refutations on one
-    // encoding, and the core that keeps it is the faster one.
-    solver_ = Z3_mk_simple_solver(c_);
-    Z3_solver_inc_ref(c_, solver_);
-    limit(kFirstTry, 0);
-    Z3_solver_from_string(c_, solver_, script_.text.c_str());
-  }
-  ~Z3Script() {
-    for (const auto& [name, term] : symbols_) Z3_dec_ref(c_, term);
-    Z3_solver_dec_ref(c_, solver_);
-  }
-  Z3Script(const Z3Script&) = delete;
-  Z3Script& operator=(const Z3Script&) = delete;
-
-  CertificateOutcome decide(const ScriptQuery& query, std::string& why) {
-    why = context_.error();
-    if (!why.empty()) return CertificateOutcome::Undecided;
-    std::vector<Z3_ast> assumptions;
-    for (const std::string& symbol : script_.assumptions(query)) {
-      assumptions.push_back(constant(symbol));
-    }
-    Z3_ast broken = Z3_mk_not(c_, constant(query.broken));
-    Z3_inc_ref(c_, broken);
-    assumptions.push_back(broken);
-    const Z3_lbool answer = ask(assumptions, why);
-    Z3_dec_ref(c_, broken);
-    if (!why.empty()) return CertificateOutcome::Undecided;
-    return answer == Z3_L_FALSE ? CertificateOutcome::Accepted
-                                : CertificateOutcome::Rejected;
-  }
-
- private:
-  void limit(unsigned effort, unsigned milliseconds) {
-    Z3_params params = Z3_mk_params(c_);
-    Z3_params_inc_ref(c_, params);
-    const auto set = [&](const char* name, unsigned value) {
-      Z3_params_set_uint(c_, params, Z3_mk_string_symbol(c_, name), value);
-    };
-    set("arith.solver", 2);
-    set("rlimit", effort);
-    if (milliseconds != 0) set("timeout", milliseconds);
-    Z3_solver_set_params(c_, solver_, params);
-    Z3_params_dec_ref(c_, params);
-  }
-
-  Z3_lbool ask(const std::vector<Z3_ast>& assumptions, std::string& why) {
-    while (true) {
-      const double left =
-          std::chrono::duration<double, std::milli>(deadline_ - Clock::now())
-              .count();
-      if (left <= 0) {
-        why = "time-out";
-        return Z3_L_UNDEF;
-      }
-      if (patient_) {
-        limit(kLastTry, static_cast<unsigned>(std::clamp(left, 1.0, 4e9)));
-      }
-      const Z3_lbool answer = Z3_solver_check_assumptions(
-          c_, solver_, static_cast<unsigned>(assumptions.size()),
-          assumptions.data());
-      why = context_.error();
-      if (!why.empty() || answer != Z3_L_UNDEF) return answer;
-      if (patient_) {
-        why = Z3_solver_get_reason_unknown(c_, solver_);
-        return answer;
-      }
-      patient_ = true;
-    }
-  }
-
-  Z3_ast constant(const std::string& symbol) {
-    const auto known = symbols_.find(symbol);
-    if (known != symbols_.end()) return known->second;
-    Z3_ast term = Z3_mk_const(c_, Z3_mk_string_symbol(c_, symbol.c_str()),
-                              Z3_mk_bool_sort(c_));
-    // Else the next call frees it.
-    Z3_inc_ref(c_, term);
-    symbols_.emplace(symbol, term);
-    return term;
-  }
-
-  const Z3Context& context_;
-  Z3_context c_;
-  const CertificateScript& script_;
-  Clock::time_point deadline_;
-  Z3_solver solver_ = nullptr;
-  std::unordered_map<std::string, Z3_ast> symbols_;
-  bool patient_ = false;
-};
-
-/// The independent parts of a certificate, each with its script.
-struct Part {
-  Invariant invariant;
-  CertificateScript script;
-};
-
-/// A file that holds the scripts: the one asked for, or one that is removed.
-class ScriptFile {
- public:
-  ScriptFile(const std::vector<Part>& parts, const CertificateOptions& options)
-      : temporary_(options.smtlib_directory.empty()) {
-    std::error_code ignored;
-    if (temporary_) {
-      path_ = make_temporary();
-    } else {
-      std::filesystem::create_directories(options.smtlib_directory, ignored);
-      path_ = (std::filesystem::path(options.smtlib_directory) /
-               (file_stem(options.name) + ".smt2"))
-                  .string();
-    }
-    std::ofstream out(path_, std::ios::binary);
-    for (std::size_t i = 0; i < parts.size(); ++i) {
-      if (i > 0) out << "(reset)\n";
-      out << parts[i].script.file("Rungproof certificate: " + options.name +
-                                  ", part " + std::to_string(i + 1) + " of " +
-                                  std::to_string(parts.size()));
-    }
-    out << "(exit)\n";
-    out.close();
-    if (!out) error_ = "cannot write `" + path_ + "`";
-  }
-  ~ScriptFile() {
-    std::error_code ignored;
-    if (temporary_) std::filesystem::remove(path_, ignored);
-  }
-  ScriptFile(const ScriptFile&) = delete;
-  ScriptFile& operator=(const ScriptFile&) = delete;
-
-  const std::string& path() const { return path_; }
-  const std::string& error() const { return error_; }
-
- private:
-  static std::string make_temporary() {
-    std::error_code ignored;
-    const std::filesystem::path folder =
-        std::filesystem::temp_directory_path(ignored);
-    std::string path = (folder / "rungproof-XXXXXX").string();
-    const int file = mkstemp(path.data());
-    if (file >= 0) close(file);
-    return path;
-  }
-
-  /// Names of properties are the user's: nothing in them may leave the folder.
-  static std::string file_stem(const std::string& name) {
-    std::string stem;
-    for (const char c : name) {
-      const bool plain = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') ||
-                         (c >= '0' && c <= '9') || c == '-' || c == '_' ||
-                         (c == '.' && !stem.empty());
-      stem += plain ? c : '_';
-    }
-    return stem.empty() ? "certificate" : stem.substr(0, 200);
-  }
-
-  bool temporary_;
-  std::string path_;
-  std::string error_;
-};
-
-}  // namespace
-
-struct CertificateSession::Impl {
-  std::optional<Z3Context> context;
-
-  void ask_z3(const TransitionSystem& ts, const std::vector<Part>& parts,
-              Clock::time_point deadline, CertificateReport& report);
-  bool ask_z3(const TransitionSystem& ts, const Part& part,
-              Clock::time_point deadline, CertificateReport& report);
-};
-
-bool CertificateSession::Impl::ask_z3(const TransitionSystem& ts,
-                                      const Part& part,
-                                      Clock::time_point deadline,
-                                      CertificateReport& report) {
-  Z3Script solver(*context, part.script, deadline);
-  for (const ScriptQuery& query : part.script.queries) {
-    std::string why;
-    report.outcome = solver.decide(query, why);
-    if (report.outcome == CertificateOutcome::Accepted) continue;
-    report.what = describe(ts, part.invariant, part.script, query);
-    if (!why.empty()) report.what += ": z3: " + why;
-    return false;
-  }
-  return true;
-}
-
-void CertificateSession::Impl::ask_z3(const TransitionSystem& ts,
-                                      const std::vector<Part>& parts,
-                                      Clock::time_point deadline,
-                                      CertificateReport& report) {
-  if (!context) context.emplace();
-  for (const Part& part : parts) {
-    if (!ask_z3(ts, part, deadline, report)) return;
-  }
-  report.outcome = CertificateOutcome::Accepted;
-  report.checked_by.push_back("z3 " + z3_version());
-}
-
-namespace {
-
 void ask_cvc5(const TransitionSystem& ts, const std::vector<Part>& parts,
               const std::string& path, double seconds,
               CertificateReport& report) {
@@ -301,17 +135,128 @@ void ask_cvc5(const TransitionSystem& ts, const std::vector<Part>& parts,
   report.checked_by.push_back("cvc5 " + said.version);
 }
 
-std::vector<Part> parts_of(const TransitionSystem& ts,
-                           const Invariant& invariant) {
-  std::vector<Part> parts;
-  for (Invariant& part : split_certificate(ts, invariant)) {
-    CertificateScript script = make_certificate_script(ts, part);
-    parts.push_back({std::move(part), std::move(script)});
-  }
-  return parts;
+/// Null when no file is needed.
+std::unique_ptr<ScriptFile> write_file(const std::vector<Part>& parts,
+                                       const CertificateOptions& options) {
+  if (options.smtlib_directory.empty() && options.recheck.empty()) return {};
+  std::vector<const CertificateScript*> scripts;
+  scripts.reserve(parts.size());
+  for (const Part& part : parts) scripts.push_back(&part.script);
+  return std::make_unique<ScriptFile>(scripts, options.smtlib_directory,
+                                      options.name);
 }
 
 }  // namespace
+
+struct CertificateSession::Impl {
+  /// What one choice of solvers accepted.
+  struct Accepted {
+    std::unordered_set<std::string> bodies;
+    std::vector<std::string> checked_by;
+  };
+
+  std::optional<Z3Context> context;
+  std::map<std::string, Accepted> accepted;  // by CertificateOptions::recheck
+  std::size_t bytes = 0;                     // of all bodies there
+
+  void remember(Accepted& known, std::vector<Part>& parts);
+  void show_rest(const TransitionSystem& ts, const Part& part,
+                 const std::vector<std::uint32_t>& open, double seconds,
+                 CertificateReport& report);
+  void ask(const TransitionSystem& ts, const Part& part,
+           Clock::time_point deadline, double seconds,
+           CertificateReport& report);
+  void ask_all(const TransitionSystem& ts, const std::vector<Part>& parts,
+               const Accepted& known, double seconds,
+               CertificateReport& report);
+  void decide(const TransitionSystem& ts, std::vector<Part>& parts,
+              const ScriptFile* file, const CertificateOptions& options,
+              CertificateReport& report);
+};
+
+void CertificateSession::Impl::remember(Accepted& known,
+                                        std::vector<Part>& parts) {
+  for (Part& part : parts) {
+    if (bytes + part.body.size() > kRemembered) continue;
+    const std::size_t size = part.body.size();
+    if (known.bodies.insert(std::move(part.body)).second) bytes += size;
+  }
+}
+
+/// A claim that is too hard for the solver takes down all that were to be
+/// shown with it. Without such claims the rest may be a certificate too.
+void CertificateSession::Impl::show_rest(const TransitionSystem& ts,
+                                         const Part& part,
+                                         const std::vector<std::uint32_t>& open,
+                                         double seconds,
+                                         CertificateReport& report) {
+  std::vector<LemmaClause> dropped;
+  const Invariant rest = without(part, open, dropped);
+  const CertificateScript script = make_certificate_script(ts, rest);
+  const ScriptAnswer answer = ask_z3(*context, script, deadline_in(seconds));
+  if (answer.outcome == CertificateOutcome::Accepted) {
+    append(report.shown, rest.conditions);
+    append(report.dropped, dropped);
+  } else {
+    append(report.dropped, part.invariant.lemmas);
+  }
+}
+
+void CertificateSession::Impl::ask(const TransitionSystem& ts, const Part& part,
+                                   Clock::time_point deadline, double seconds,
+                                   CertificateReport& report) {
+  if (!context) context.emplace();
+  const ScriptAnswer answer = ask_z3(*context, part.script, deadline);
+  if (answer.outcome == CertificateOutcome::Accepted) {
+    return append(report.shown, part.invariant.conditions);
+  }
+  report.outcome = answer.outcome;
+  report.what = describe(ts, part.invariant, part.script,
+                         part.script.queries[answer.query]);
+  if (answer.outcome == CertificateOutcome::Rejected) return;
+  report.what += ": z3: " + answer.why;
+  show_rest(ts, part, answer.open_claims, seconds, report);
+}
+
+void CertificateSession::Impl::ask_all(const TransitionSystem& ts,
+                                       const std::vector<Part>& parts,
+                                       const Accepted& known, double seconds,
+                                       CertificateReport& report) {
+  const Clock::time_point deadline = deadline_in(seconds);
+  report.outcome = CertificateOutcome::Accepted;
+  report.reused = true;
+  for (const Part& part : parts) {
+    if (known.bodies.count(part.body) != 0) {
+      append(report.shown, part.invariant.conditions);
+      continue;
+    }
+    report.reused = false;
+    ask(ts, part, deadline, seconds, report);
+    if (report.outcome == CertificateOutcome::Rejected) return;
+  }
+}
+
+void CertificateSession::Impl::decide(const TransitionSystem& ts,
+                                      std::vector<Part>& parts,
+                                      const ScriptFile* file,
+                                      const CertificateOptions& options,
+                                      CertificateReport& report) {
+  Accepted& known = accepted[options.recheck];
+  ask_all(ts, parts, known, options.seconds, report);
+  if (report.outcome == CertificateOutcome::Rejected) return;
+  report.checked_by.push_back("z3 " + z3_version());
+  if (report.outcome == CertificateOutcome::Undecided) return;
+  if (report.reused) {
+    report.checked_by = known.checked_by;
+    return;
+  }
+  if (!options.recheck.empty()) {
+    ask_cvc5(ts, parts, file->path(), options.seconds, report);
+    if (report.outcome != CertificateOutcome::Accepted) return;
+  }
+  known.checked_by = report.checked_by;
+  remember(known, parts);
+}
 
 CertificateSession::CertificateSession() : impl_(std::make_unique<Impl>()) {}
 CertificateSession::~CertificateSession() = default;
@@ -322,11 +267,10 @@ CertificateReport CertificateSession::check(const TransitionSystem& ts,
                                             const CertificateOptions& options) {
   const Clock::time_point start = Clock::now();
   CertificateReport report;
-  const std::vector<Part> parts = parts_of(ts, invariant);
-  std::optional<ScriptFile> file;
-  if (!options.smtlib_directory.empty() || !options.recheck.empty()) {
-    file.emplace(parts, options);
-    if (!options.smtlib_directory.empty()) report.smtlib_path = file->path();
+  std::vector<Part> parts = parts_of(ts, invariant);
+  const std::unique_ptr<ScriptFile> file = write_file(parts, options);
+  if (file && !options.smtlib_directory.empty()) {
+    report.smtlib_path = file->path();
   }
   std::string wrong = uncovered_goal(ts, invariant, goals);
   for (const Part& part : parts) {
@@ -340,13 +284,12 @@ CertificateReport CertificateSession::check(const TransitionSystem& ts,
   } else if (!options.recheck.empty() && options.recheck != "cvc5") {
     report.what = "there is no solver `" + options.recheck + "` to ask";
   } else {
-    const auto limit = std::chrono::duration_cast<Clock::duration>(
-        std::chrono::duration<double>(std::clamp(options.seconds, 0.0, 1e6)));
-    impl_->ask_z3(ts, parts, start + limit, report);
-    if (report.outcome == CertificateOutcome::Accepted && file &&
-        !options.recheck.empty()) {
-      ask_cvc5(ts, parts, file->path(), options.seconds, report);
-    }
+    impl_->decide(ts, parts, file.get(), options, report);
+  }
+  // Another solver was to agree, and was not asked; or there is no proof.
+  if (report.outcome != CertificateOutcome::Undecided ||
+      !options.recheck.empty()) {
+    report.shown.clear();
   }
   report.milliseconds =
       std::chrono::duration<double, std::milli>(Clock::now() - start).count();

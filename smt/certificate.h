@@ -23,8 +23,15 @@ struct CertificateReport {
   /// Rejected: which part, of what ("consecution of `run -> stop`").
   /// Undecided: why.
   std::string what;
+  /// Undecided: conditions that were shown all the same, by a part of the
+  /// certificate that is one without what the solver could not decide.
+  std::vector<ExprId> shown;
+  std::vector<LemmaClause> dropped;     // lemmas that these do without
   std::vector<std::string> checked_by;  // "z3 4.8.12", "cvc5 1.0.3"
-  std::string smtlib_path;              // the file, when one was asked for
+  /// Accepted, and no solver was asked: it had accepted the same scripts, word
+  /// for word, for equal parts of the program.
+  bool reused = false;
+  std::string smtlib_path;  // the file, when one was asked for
   double milliseconds = 0;
 };
 
@@ -32,6 +39,9 @@ struct CertificateReport {
 /// with the engines: an SMT-LIB script made from the word-level terms, given
 /// to Z3 in this process (one context for all certificates of a session), and
 /// to the cvc5 binary when asked.
+///
+/// Scripts that were accepted are kept, whole, and an equal one is not asked
+/// again: nothing of the program is in a script but what is asked of it.
 ///
 /// Errors: never throws; a solver's error is Undecided with its text.
 class CertificateSession {

@@ -8,9 +8,8 @@
 
 namespace rung {
 
-/// The proofs of one program and their checks. Independent parts of a plant
-/// have a proof each; they are checked many at a time, because a conjunction of
-/// invariants over different states is one too, and a script has its price.
+/// The proofs of one program, one for each of its independent parts, and their
+/// checks.
 class Proofs {
  public:
   explicit Proofs(const TransitionSystem& ts) : ts_(ts) {}
@@ -27,6 +26,8 @@ class Proofs {
   const CertificateReport& report(std::size_t proof) const {
     return proofs_[proof].report;
   }
+  /// Was this goal of the proof shown? The others may have been too hard.
+  bool shows(std::size_t proof, ExprId goal) const;
 
  private:
   struct Proof {
@@ -35,10 +36,6 @@ class Proofs {
     std::string name;
     CertificateReport report;
   };
-
-  std::size_t batch_end(std::size_t begin) const;
-  bool check_together(std::size_t begin, std::size_t end,
-                      const CertificateOptions& options);
 
   const TransitionSystem& ts_;
   std::vector<Proof> proofs_;

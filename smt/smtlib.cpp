@@ -3,64 +3,20 @@
 #include <algorithm>
 #include <cassert>
 #include <map>
-#include <string_view>
 #include <unordered_map>
 #include <utility>
+
+#include "smt/smtlib_text.h"
 
 namespace rung {
 namespace {
 
+using smtlib::call;
+using smtlib::chain;
+using smtlib::number;
+
 /// Deeper terms get a name of their own: the solvers' parsers recurse.
 constexpr std::uint32_t kMaxNesting = 16;
-
-std::string number(std::int64_t value) {
-  if (value >= 0) return std::to_string(value);
-  // Not -value: that has no value for the smallest number.
-  return "(- " + std::to_string(0 - static_cast<std::uint64_t>(value)) + ")";
-}
-
-std::string call(std::string_view op, std::string_view a,
-                 std::string_view b = {}, std::string_view c = {}) {
-  std::string text = "(";
-  text += op;
-  for (const std::string_view operand : {a, b, c}) {
-    if (operand.empty()) continue;
-    text += ' ';
-    text += operand;
-  }
-  text += ')';
-  return text;
-}
-
-/// The n-ary `op`, one operand a line.
-std::string chain(std::string_view op, std::string_view neutral,
-                  const std::vector<std::string>& operands) {
-  if (operands.empty()) return std::string(neutral);
-  if (operands.size() == 1) return operands.front();
-  std::string text = "(" + std::string(op);
-  for (const std::string& operand : operands) text += "\n  " + operand;
-  return text + ")";
-}
-
-/// Truncates towards zero; SMT-LIB's `div` leaves a remainder of 0 or above.
-std::string divided(const std::string& a, std::int64_t divisor) {
-  assert(divisor != 0);
-  const std::string by = number(divisor);
-  const std::string up = call("-", call("div", call("-", a), by));
-  return call("ite", call(">=", a, "0"), call("div", a, by), up);
-}
-
-std::string wrapped16(const std::string& a) {
-  return "(- (mod (+ " + a + " 32768) 65536) 32768)";
-}
-
-/// Comments hold names from the input: nothing there may end the line.
-std::string printable(std::string text) {
-  for (char& c : text) {
-    if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) c = '?';
-  }
-  return text;
-}
 
 class ScriptWriter {
  public:
@@ -68,6 +24,7 @@ class ScriptWriter {
       : ts_(ts), invariant_(invariant) {}
 
   CertificateScript write() {
+    find_roots();
     find_cone();
     choose_names();
     name_claims();
@@ -86,6 +43,7 @@ class ScriptWriter {
   /// A term of the cone. Operands stand before the terms that use them.
   struct Term {
     ExprId id;
+    std::string symbol;         // of a variable and of a named term
     std::uint32_t uses = 0;     // places where its text would stand
     std::uint32_t nesting = 0;  // of its text
     bool named = false;         // a constant with an equation, not in place
@@ -99,11 +57,8 @@ class ScriptWriter {
   std::string suffix() const { return "@" + std::to_string(frame_); }
   bool last() const { return frame_ == invariant_.k + 1; }
 
-  void declare(const std::string& symbol, std::string_view sort,
-               const std::string& comment = {}) {
-    script_.text += call("declare-const", symbol, sort);
-    if (!comment.empty()) script_.text += "  ; " + printable(comment);
-    script_.text += '\n';
+  void declare(const std::string& symbol, std::string_view sort) {
+    script_.text += call("declare-const", symbol, sort) + "\n";
   }
   void require(const std::string& condition) {
     script_.text += call("assert", condition) + "\n";
@@ -119,57 +74,70 @@ class ScriptWriter {
 
   // --- what the certificate depends on ---------------------------------------
 
+  /// In the order of first use from the claims on, and never by id: equal
+  /// parts of a plant get equal texts.
   void find_cone() {
-    std::vector<ExprId> worklist = roots();
-    while (!worklist.empty()) {
-      const ExprId id = worklist.back();
-      worklist.pop_back();
-      if (!index_.emplace(id.index(), 0U).second) continue;
-      terms_.push_back({.id = id});
-      const Expr& e = expr(id);
-      for (const ExprId operand : {e.a, e.b, e.c}) {
-        if (operand.has_value()) worklist.push_back(operand);
-      }
-      if (e.op != ExprOp::Variable) continue;
-      variables_.push_back(e.var);
-      const Variable& variable = ts_.vars[e.var];
-      if (variable.role != VarRole::State) continue;
-      states_.push_back(variable.state);
-      worklist.push_back(ts_.states[variable.state].next);
-    }
-    std::sort(variables_.begin(), variables_.end());
-    std::sort(states_.begin(), states_.end());
-    std::sort(terms_.begin(), terms_.end(),
-              [](const Term& a, const Term& b) { return a.id < b.id; });
-    for (std::uint32_t i = 0; i < terms_.size(); ++i) {
-      index_[terms_[i].id.index()] = i;
+    for (const ExprId root : roots_) visit(root);
+    for (std::size_t i = 0; i < states_.size(); ++i) {
+      visit(ts_.states[states_[i]].next);
     }
   }
 
-  std::vector<ExprId> roots() {
-    std::vector<ExprId> ids = invariant_.conditions;
-    ids.insert(ids.end(), ts_.constraints.begin(), ts_.constraints.end());
+  void visit(ExprId root) {
+    std::vector<ExprId> stack = {root};
+    while (!stack.empty()) {
+      const ExprId id = stack.back();
+      if (index_.count(id.index()) != 0) {
+        stack.pop_back();
+        continue;
+      }
+      const std::size_t waiting = stack.size();
+      const Expr& e = expr(id);
+      for (const ExprId operand : {e.c, e.b, e.a}) {
+        if (operand.has_value() && index_.count(operand.index()) == 0) {
+          stack.push_back(operand);
+        }
+      }
+      if (stack.size() != waiting) continue;
+      stack.pop_back();
+      index_.emplace(id.index(), static_cast<std::uint32_t>(terms_.size()));
+      terms_.push_back({.id = id});
+      if (e.op == ExprOp::Variable) add_variable(e.var);
+    }
+  }
+
+  void add_variable(VarId var) {
+    const Variable& variable = ts_.vars[var];
+    terms_.back().symbol = "v" + std::to_string(variables_.size());
+    variables_.push_back(var);
+    script_.names.push_back(variable.name);
+    if (variable.role == VarRole::State) states_.push_back(variable.state);
+  }
+
+  void find_roots() {
+    roots_ = invariant_.conditions;
+    roots_.insert(roots_.end(), ts_.constraints.begin(), ts_.constraints.end());
     for (const LemmaClause& lemma : invariant_.lemmas) {
       for (const LemmaAtom& atom : lemma) {
-        ids.push_back(atom.term.has_value() ? atom.term : ts_.of(atom.var));
+        roots_.push_back(term_of(atom));
         if (atom.term.has_value()) continue;
         std::uint32_t& bits = bits_[atom.var];
         bits = std::max(bits, atom.bit + 1);
       }
     }
-    return ids;
+  }
+
+  ExprId term_of(const LemmaAtom& atom) const {
+    return atom.term.has_value() ? atom.term : ts_.of(atom.var);
   }
 
   void choose_names() {
-    for (const ExprId id : roots()) ++term(id).uses;
+    for (const ExprId id : roots_) ++term(id).uses;
     for (const std::uint32_t state : states_) {
       ++term(ts_.states[state].next).uses;
     }
     for (const LemmaClause& lemma : invariant_.lemmas) {
-      for (const LemmaAtom& atom : lemma) {
-        const ExprId id = atom.term.has_value() ? atom.term : ts_.of(atom.var);
-        term(id).of_state = true;
-      }
+      for (const LemmaAtom& atom : lemma) term(term_of(atom)).of_state = true;
     }
     for (std::size_t i = terms_.size(); i-- > 0;) count_uses(terms_[i]);
     for (Term& t : terms_) choose_name(t);
@@ -209,23 +177,24 @@ class ScriptWriter {
     const bool compound = e.op != ExprOp::Constant &&
                           e.op != ExprOp::Variable && e.op != ExprOp::Not;
     t.named = compound && (t.uses > 1 || t.nesting >= kMaxNesting);
+    if (t.named) t.symbol = "t" + std::to_string(named_++);
   }
 
   void name_claims() {
-    const auto add = [this](ScriptClaim::Kind kind, std::string_view stem,
-                            std::size_t index) {
+    const auto add = [this](ScriptClaim::Kind kind, std::size_t index,
+                            std::string_view stem, std::size_t number) {
       script_.claims.push_back({kind, static_cast<std::uint32_t>(index),
-                                std::string(stem) + std::to_string(index)});
+                                std::string(stem) + std::to_string(number)});
     };
     for (const std::uint32_t state : states_) {
       if (ts_.vars[ts_.states[state].var].type != Type::Word) continue;
-      add(ScriptClaim::Kind::Range, "range", state);
+      add(ScriptClaim::Kind::Range, state, "range", script_.claims.size());
     }
     for (std::size_t i = 0; i < invariant_.lemmas.size(); ++i) {
-      add(ScriptClaim::Kind::Lemma, "lemma", i);
+      add(ScriptClaim::Kind::Lemma, i, "lemma", i);
     }
     for (std::size_t i = 0; i < invariant_.conditions.size(); ++i) {
-      add(ScriptClaim::Kind::Condition, "condition", i);
+      add(ScriptClaim::Kind::Condition, i, "condition", i);
     }
   }
 
@@ -248,8 +217,9 @@ class ScriptWriter {
     const Variable& variable = ts_.vars[var];
     const bool state = variable.role == VarRole::State;
     if (last() && !state) return;
-    const std::string symbol = "v" + std::to_string(var.index()) + suffix();
-    declare(symbol, sort_of(variable.type), variable.name);
+    Term& leaf = term(variable.expr);
+    const std::string symbol = leaf.symbol + suffix();
+    declare(symbol, sort_of(variable.type));
     if (state && frame_ > 0) {
       require(call("=", symbol, next_text_.at(variable.state)));
     }
@@ -257,7 +227,7 @@ class ScriptWriter {
     if (!state && variable.type == Type::Word) {
       require(in_range(variable, symbol));
     }
-    term(variable.expr).text = symbol;
+    leaf.text = symbol;
     const auto bits = bits_.find(var);
     if (bits == bits_.end() || variable.type == Type::Bit) return;
     write_bits(var, symbol, bits->second);
@@ -270,7 +240,7 @@ class ScriptWriter {
 
   std::string bit_symbol(VarId var, std::uint32_t bit) {
     if (ts_.vars[var].type == Type::Bit) return text(ts_.of(var));
-    return "bit" + std::to_string(var.index()) + "." + std::to_string(bit) +
+    return "bit-" + term(ts_.of(var)).symbol + "." + std::to_string(bit) +
            suffix();
   }
 
@@ -293,7 +263,7 @@ class ScriptWriter {
       if (expr(t.id).op == ExprOp::Variable) continue;
       t.text = written(expr(t.id));
       if (!t.named) continue;
-      const std::string symbol = "t" + std::to_string(t.id.index()) + suffix();
+      const std::string symbol = t.symbol + suffix();
       define(symbol, sort_of(expr(t.id).type), t.text);
       t.text = symbol;
     }
@@ -325,9 +295,9 @@ class ScriptWriter {
       case ExprOp::Multiply:
         return call("*", text(e.a), text(e.b));
       case ExprOp::Divide:
-        return divided(text(e.a), expr(e.b).value);
+        return smtlib::divided(text(e.a), expr(e.b).value);
       case ExprOp::Wrap16:
-        return wrapped16(text(e.a));
+        return smtlib::wrapped16(text(e.a));
       case ExprOp::Ite:
         return call("ite", text(e.a), text(e.b), text(e.c));
     }
@@ -422,13 +392,15 @@ class ScriptWriter {
   const TransitionSystem& ts_;
   const Invariant& invariant_;
   CertificateScript script_;
-  std::vector<Term> terms_;                                 // by id
+  std::vector<ExprId> roots_;
+  std::vector<Term> terms_;
   std::unordered_map<std::uint32_t, std::uint32_t> index_;  // in terms_
   std::vector<VarId> variables_;
   std::vector<std::uint32_t> states_;
   std::map<VarId, std::uint32_t> bits_;  // how many of a word's bits have names
   std::unordered_map<std::uint32_t, std::string> next_text_;  // by state
   std::uint32_t frame_ = 0;
+  std::uint32_t named_ = 0;  // terms with a name
   bool nonlinear_ = false;
 };
 
@@ -468,10 +440,8 @@ std::vector<std::string> CertificateScript::assumptions(
   return symbols;
 }
 
-std::string CertificateScript::file(const std::string& title) const {
-  std::string result = "; " + printable(title) +
-                       "\n; k = " + std::to_string(k) +
-                       "; every answer must be unsat\n" + text;
+std::string CertificateScript::body() const {
+  std::string result = text;
   const ScriptQuery* last = nullptr;
   for (const ScriptQuery& query : queries) {
     if (last == nullptr || last->part != query.part ||
@@ -485,6 +455,17 @@ std::string CertificateScript::file(const std::string& title) const {
     last = &query;
   }
   return result;
+}
+
+std::string CertificateScript::file(const std::string& title) const {
+  std::string result = "; " + smtlib::printable(title) +
+                       "\n; k = " + std::to_string(k) +
+                       "; every answer must be unsat\n";
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    result += "; v" + std::to_string(i) + ": " + smtlib::printable(names[i]);
+    result += '\n';
+  }
+  return result + body();
 }
 
 }  // namespace rung

@@ -38,8 +38,13 @@ std::string_view to_string(ScriptQuery::Part part);
 ///
 /// A fresh constant per shared term and frame, no `let` and no `define-fun`:
 /// solvers keep the sharing, and text and nesting stay small.
+///
+/// No name of the program is in it and symbols are numbered in the order of
+/// their first use, so equal parts of a plant have one script: what a solver
+/// says of it is said of each of them.
 struct CertificateScript {
-  std::string text;  // declarations and assertions
+  std::string text;                // declarations and assertions
+  std::vector<std::string> names;  // of the variables v0, v1, ...
   std::vector<ScriptClaim> claims;
   std::vector<ScriptQuery> queries;
   std::uint32_t k = 0;
@@ -49,8 +54,11 @@ struct CertificateScript {
   /// Bools of the script that `query` assumes to be true.
   std::vector<std::string> assumptions(const ScriptQuery& query) const;
 
-  /// As a file: `title` as a comment, the text and one check-sat a query; every
-  /// answer must be unsat.
+  /// All that a solver is told and asked: the text and one check-sat a query.
+  std::string body() const;
+
+  /// The same as a file, with `title` and the names as comments; every answer
+  /// must be unsat.
   std::string file(const std::string& title) const;
 };
 

@@ -144,10 +144,26 @@ VerifyReport Verdicts::report() {
   return report;
 }
 
-bool Verdicts::accepted(const Group& group) const {
-  return !options_.self_check ||
-         (group.proof != Questions::kNone &&
-          proofs_.report(group.proof).outcome == CertificateOutcome::Accepted);
+/// Was it proved that this target is never met, and the proof checked?
+bool Verdicts::is_shown(std::size_t i) const {
+  const Target& target = questions_.targets[i];
+  const Group& group = groups_[group_of_[i]];
+  if (target.status != Status::Unreachable || group.overflow) return false;
+  return !options_.self_check || (group.proof != Questions::kNone &&
+                                  proofs_.shows(group.proof, target.never));
+}
+
+Certificate Verdicts::certificate(const Group& group) const {
+  const CertificateReport& checked = proofs_.report(group.proof);
+  Certificate result;
+  result.lemmas = group.lemmas;
+  for (const LemmaClause& lemma : checked.dropped) {
+    std::erase(result.lemmas, to_string(ts_, lemma));
+  }
+  result.checked_by = checked.checked_by;
+  result.reused = checked.reused;
+  result.smtlib_path = checked.smtlib_path;
+  return result;
 }
 
 VerifyReport Verdicts::no_run_at_all() {
@@ -265,9 +281,7 @@ std::string Verdicts::wider_than_program(const Target& target) const {
 std::string Verdicts::open_fault(const Target& target) const {
   std::unordered_set<ExprId> seen;
   for (std::size_t i = 0; i < ts_.faults.size(); ++i) {
-    const Target& fault = questions_.targets[questions_.fault[i]];
-    const Group& group = groups_[group_of_[questions_.fault[i]]];
-    if (fault.status == Status::Unreachable && accepted(group)) continue;
+    if (is_shown(questions_.fault[i])) continue;
     if (seen.empty()) seen = dependencies(ts_, target.term);
     for (ExprId comparison : comparisons(ts_, ts_.faults[i].condition)) {
       if (seen.count(comparison) == 0) continue;
@@ -285,7 +299,7 @@ void Verdicts::conclude_unreachable(std::size_t i, ObligationResult& result) {
   const Target& target = questions_.targets[goal];
   const Group& group = groups_[group_of_[goal]];
   const CertificateReport& checked = proofs_.report(group.proof);
-  if (!accepted(group)) {
+  if (!is_shown(goal)) {
     if (checked.outcome == CertificateOutcome::Rejected) {
       return fail(result, "certificate rejected: " + checked.what);
     }
@@ -296,7 +310,7 @@ void Verdicts::conclude_unreachable(std::size_t i, ObligationResult& result) {
     result.reason = std::move(fault);
     return;
   }
-  result.certificate = {group.lemmas, checked.checked_by, checked.smtlib_path};
+  result.certificate = certificate(group);
   result.milliseconds += checked.milliseconds;
   if (result.obligation.goal == Goal::Reach) {
     result.verdict = Verdict::Violated;
@@ -306,12 +320,10 @@ void Verdicts::conclude_unreachable(std::size_t i, ObligationResult& result) {
   result.verdict = Verdict::Proved;
   const std::size_t trigger = questions_.trigger[i];
   if (trigger == Questions::kNone) return;
-  const Target& left = questions_.targets[trigger];
-  const Group& left_group = groups_[group_of_[trigger]];
-  if (left.status == Status::Unreachable && accepted(left_group)) {
+  if (is_shown(trigger)) {
     result.verdict = Verdict::Vacuous;
     result.reason = "its left side can never be true";
-  } else if (left.status != Status::Reached) {
+  } else if (questions_.targets[trigger].status != Status::Reached) {
     result.reason = "whether its left side can be true was not decided";
   }
 }

@@ -66,7 +66,8 @@ class Verdicts {
     double milliseconds = 0;  // a target
   };
 
-  bool accepted(const Group& group) const;
+  bool is_shown(std::size_t target) const;
+  Certificate certificate(const Group& group) const;
   ObligationResult conclude(std::size_t i);
   void conclude_reached(const Target& target, ObligationResult& result);
   void conclude_unreachable(std::size_t i, ObligationResult& result);

@@ -79,6 +79,41 @@ TEST(Verify, AnInjectedWrongInvariantIsRejected) {
   }
 }
 
+constexpr const char* kCells =
+    "//@ lock0: interlock KA0, KB0\n"
+    "//@ lock1: interlock KA1, KB1\n"
+    "//@ lock2: interlock KA2, KB2\n"
+    "//@ slow0: never KR0 && !KA0\n"
+    "//@ slow1: never KR1 && !KA1\n"
+    "//@ slow2: never KR2 && !KA2\n"
+    "KA0 = (I0 || KA0) && !S0 && !KB0; KB0 = (J0 || KB0) && !S0 && !KA0;\n"
+    "KA1 = (I1 || KA1) && !S1 && !KB1; KB1 = (J1 || KB1) && !S1 && !KA1;\n"
+    "KA2 = (I2 || KA2) && !S2 && !KB2; KB2 = (J2 || KB2) && !S2 && !KA2;\n"
+    "KR0 = T(0, 5, KA0); KR1 = T(1, 5, KA1); KR2 = T(2, 6, KA2);\n";
+
+TEST(Verify, EqualPartsAreCheckedOnce) {
+  const Checked c = check(kCells);
+  for (const char* name : {"lock0", "lock1", "slow0", "slow1", "slow2"}) {
+    expect(c, name, Verdict::Proved);
+    ASSERT_TRUE(c[name].certificate.has_value());
+    EXPECT_EQ(c[name].certificate->checked_by,
+              c["lock0"].certificate->checked_by);
+  }
+  EXPECT_FALSE(c["slow0"].certificate->reused);
+  EXPECT_TRUE(c["slow1"].certificate->reused);
+  EXPECT_FALSE(c["slow2"].certificate->reused);  // another preset
+}
+
+TEST(Verify, WrongInvariantsOfEqualPartsAreAllRejected) {
+  VerifyOptions options;
+  options.inject_wrong_invariant = true;
+  const Checked c = check(kCells, options);
+  for (const char* name : {"lock0", "lock1", "slow0", "slow1", "slow2"}) {
+    expect(c, name, Verdict::Unknown);
+    EXPECT_NE(c[name].reason.find("certificate rejected"), std::string::npos);
+  }
+}
+
 TEST(Verify, AnInjectedWrongTraceIsRejected) {
   VerifyOptions options;
   options.inject_wrong_trace = true;

@@ -1,0 +1,64 @@
+#include "smt/script_file.h"
+
+#include <unistd.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+
+namespace rung {
+namespace {
+
+std::string make_temporary() {
+  std::error_code ignored;
+  const std::filesystem::path folder =
+      std::filesystem::temp_directory_path(ignored);
+  std::string path = (folder / "rungproof-XXXXXX").string();
+  const int file = mkstemp(path.data());
+  if (file >= 0) close(file);
+  return path;
+}
+
+/// Names of properties are the user's: nothing in them may leave the folder.
+std::string file_stem(const std::string& name) {
+  std::string stem;
+  for (const char c : name) {
+    const bool plain = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') ||
+                       (c >= '0' && c <= '9') || c == '-' || c == '_' ||
+                       (c == '.' && !stem.empty());
+    stem += plain ? c : '_';
+  }
+  return stem.empty() ? "certificate" : stem.substr(0, 200);
+}
+
+}  // namespace
+
+ScriptFile::ScriptFile(const std::vector<const CertificateScript*>& scripts,
+                       const std::string& directory, const std::string& name)
+    : temporary_(directory.empty()) {
+  std::error_code ignored;
+  if (temporary_) {
+    path_ = make_temporary();
+  } else {
+    std::filesystem::create_directories(directory, ignored);
+    path_ = (std::filesystem::path(directory) / (file_stem(name) + ".smt2"))
+                .string();
+  }
+  std::ofstream out(path_, std::ios::binary);
+  for (std::size_t i = 0; i < scripts.size(); ++i) {
+    if (i > 0) out << "(reset)\n";
+    out << scripts[i]->file("Rungproof certificate: " + name + ", part " +
+                            std::to_string(i + 1) + " of " +
+                            std::to_string(scripts.size()));
+  }
+  out << "(exit)\n";
+  out.close();
+  if (!out) error_ = "cannot write `" + path_ + "`";
+}
+
+ScriptFile::~ScriptFile() {
+  std::error_code ignored;
+  if (temporary_) std::filesystem::remove(path_, ignored);
+}
+
+}  // namespace rung
