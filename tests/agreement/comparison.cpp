@@ -2,11 +2,10 @@
 
 #include <algorithm>
 #include <optional>
+#include <utility>
 
 #include "analysis/formula.h"
-#include "analysis/program.h"
 #include "analysis/simulator.h"
-#include "analysis/transition_system.h"
 #include "machine_run.h"
 #include "program_generator.h"
 #include "random_run.h"
@@ -14,6 +13,8 @@
 
 namespace rung {
 namespace {
+
+constexpr std::int64_t kCountFloor = -32768;  // analysis/elements.cpp
 
 /// The states of one element at a scan's end, for the formula of its `.q`.
 class EndNames : public NameResolver {
@@ -39,14 +40,20 @@ class EndNames : public NameResolver {
 
 class Comparer {
  public:
-  Comparer(const Program& program, const Stimulus& stimulus, Comparison& result)
+  Comparer(const Program& program, Encoding encoding, const Stimulus& stimulus,
+           Comparison& result)
       : program_(program),
         stimulus_(stimulus),
         result_(result),
-        ts_(build_transition_system(program)) {
+        ts_(std::move(encoding.ts)) {
     for (const InstanceId id : ids_of(program.instances)) {
-      EndNames names(ts_, program, id);
-      const ElementKind& kind = *program.instances[id].kind;
+      EndNames names(ts_, encoding.program, id);
+      const ElementKind& kind = *encoding.program.instances[id].kind;
+      if (kind.family == ElementFamily::Edge) {  // has no `.q`
+        done_.emplace_back();
+        observed_.emplace_back();
+        continue;
+      }
       done_.push_back(
           compile_formula(ts_.exprs, parse_formula(kind.done), names));
       observed_.push_back(
@@ -54,11 +61,9 @@ class Comparer {
     }
   }
 
-  void run() {
+  void run(MachineRun* machine) {
     Simulator simulator(program_);
     TsInterpreter interpreter(ts_);
-    MachineRun machine(program_, result_.difference);
-    if (!result_.difference.empty()) return;
     for (const StimulusStep& step : stimulus_.steps) {
       set_inputs(ts_, stimulus_, step, interpreter);
       for (std::size_t i = 0; i < step.inputs.size(); ++i) {
@@ -66,10 +71,13 @@ class Comparer {
       }
       for (std::uint64_t i = 0; i < step.repeat; ++i) {
         simulator.scan(step.dt_ms);
+        set_choices(simulator, interpreter);
         interpreter.step();
-        if (faulted(ts_, interpreter)) return;
+        if (faulted(ts_, interpreter)) {
+          return compare_faults(simulator, interpreter);
+        }
         compare_scan(simulator, interpreter);
-        compare_machine(machine, step, simulator);
+        if (machine != nullptr) compare_machine(*machine, step, simulator);
         if (!result_.difference.empty()) return;
         ++result_.scans;
       }
@@ -87,6 +95,39 @@ class Comparer {
                          " in the simulator and " + std::to_string(other);
   }
 
+  // A rung did store what the encoding calls out of range.
+  void compare_faults(const Simulator& simulator,
+                      const TsInterpreter& interpreter) {
+    for (const Fault& fault : ts_.faults) {
+      if (interpreter.value(fault.condition) == 0) continue;
+      if (!fault.cell.has_value()) continue;  // far outside of any cell
+      const Cell& cell = program_.cells[fault.cell];
+      bool outside = false;
+      for (const Rung& rung : program_.rungs) {
+        const std::int64_t value = simulator.node_value(rung.root());
+        outside = outside || (rung.target == fault.cell &&
+                              (value < cell.low || value > cell.high));
+      }
+      differ("whether " + cell.name + " leaves its range", outside ? 1 : 0, 1);
+    }
+  }
+
+  // At its floor the encoding of a counter stands for every count below it
+  // too, and chooses whether an up-count leaves it. Only there may it choose.
+  void set_choices(const Simulator& simulator, TsInterpreter& interpreter) {
+    for (const VarId var : ids_of(ts_.vars)) {
+      if (ts_.vars[var].role != VarRole::Choice) continue;
+      for (const InstanceId id : ids_of(program_.instances)) {
+        const std::string owner = program_.instances[id].name + ".";
+        if (!ts_.vars[var].name.starts_with(owner)) continue;
+        const std::uint32_t count = ts_.instance_states[id.index()].front();
+        const bool leaves = interpreter.state(count) == kCountFloor &&
+                            simulator.count(id) > kCountFloor;
+        interpreter.set(var, leaves ? 1 : 0);
+      }
+    }
+  }
+
   void compare_scan(const Simulator& simulator,
                     const TsInterpreter& interpreter) {
     for (const CellId id : ids_of(program_.cells)) {
@@ -96,10 +137,11 @@ class Comparer {
     compare_calls(simulator, interpreter);
     for (const InstanceId id : ids_of(program_.instances)) {
       const Instance& instance = program_.instances[id];
+      if (!done_[id.index()].has_value()) continue;
       const bool timer = instance.kind->family == ElementFamily::Timer;
       const std::int64_t seen =
           timer ? std::min(simulator.elapsed(id), instance.clock_cap)
-                : simulator.count(id);
+                : std::max(simulator.count(id), kCountFloor);
       differ(instance.name + ".q", simulator.done(id) ? 1 : 0,
              interpreter.value(done_[id.index()]));
       differ(instance.name + (timer ? ".elapsed" : ".value"), seen,
@@ -175,8 +217,20 @@ Comparison compare(const std::vector<std::uint32_t>& numbers,
   result.refused = !read.has_value();
   if (!read) return result;
   const Stimulus stimulus = random_stimulus(read->program, tape, scans);
-  Comparer(read->program, stimulus, result).run();
+  MachineRun machine(read->program, result.difference);
+  if (!result.difference.empty()) return result;
+  Comparer(read->program,
+           {read->program, build_transition_system(read->program)}, stimulus,
+           result)
+      .run(&machine);
   return result;
+}
+
+std::string compare_encoding(const Program& program, Encoding encoding,
+                             const Stimulus& stimulus) {
+  Comparison result;
+  Comparer(program, std::move(encoding), stimulus, result).run(nullptr);
+  return result.difference;
 }
 
 }  // namespace rung

@@ -54,8 +54,12 @@ class Generator {
   }
 
   std::string word_leaf() {
+    // The larger ones take words past 16 bits in a few scans.
+    constexpr std::array<std::string_view, 8> kNumbers = {
+        "0", "1", "2", "7", "100", "1023", "9000", "32767"};
     const std::uint32_t choice = tape_.pick(6);
-    if (choice < 2) return std::to_string(tape_.pick(60));
+    if (choice == 0) return std::to_string(tape_.pick(60));
+    if (choice == 1) return std::string(kNumbers[tape_.pick(8)]);
     if (choice < 4 || word_targets_ == 0) {
       return numbered(sim_ ? "IW" : "A", tape_.pick(2));
     }

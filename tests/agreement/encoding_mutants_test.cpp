@@ -1,0 +1,138 @@
+// Mutants die: the encoding with one mistake in it differs from the simulator
+// on some program, or is listed below with the reason why no program can tell.
+//
+// Prints what kills each mutant. RUNG_MUTANT_PROGRAMS: random programs to try
+// before a mutant is called alive.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <iostream>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "mutant.h"
+#include "mutant_runs.h"
+#include "random_run.h"
+
+namespace rung {
+namespace {
+
+struct Equivalent {
+  std::string_view mutant;
+  std::string_view reason;
+};
+
+constexpr std::string_view kNotStarted =
+    "while a timer is not started its elapsed time is 0 already";
+constexpr std::string_view kClearedBelow =
+    "the last update clears the elapsed time unless it is out and not armed, "
+    "and then TOF was armed by the scan before, which had cleared it";
+constexpr std::string_view kSlack =
+    "bounds may be wider than the values: engines only use more bits";
+
+constexpr std::array<Equivalent, 7> kEquivalent = {{
+    {"timer-yun, T, update 1: elapsed `!v && !started ? 0 : elapsed`",
+     kNotStarted},
+    {"timer-yun, T, update 1: elapsed `elapsed'`", kNotStarted},
+    {"timer-off-sim, TOF, update 1: elapsed `v && armed ? 0 : elapsed`",
+     kClearedBelow},
+    {"timer-off-sim, TOF, update 1: elapsed `!!v && armed ? 0 : elapsed`",
+     kClearedBelow},
+    {"timer-off-sim, TOF, update 1: elapsed `elapsed'`", kClearedBelow},
+    {"the lowest value of counts is one smaller than it was", kSlack},
+    {"the highest value of counts is one larger than it was", kSlack},
+}};
+
+const Equivalent* find_equivalent(const std::string& name) {
+  for (const Equivalent& row : kEquivalent) {
+    if (row.mutant == name) return &row;
+  }
+  return nullptr;
+}
+
+/// Where the mutant dies, as the table prints it; empty: it lives.
+std::string killed_by(const Mutant& mutant,
+                      const std::vector<ProgramRun>& runs) {
+  for (const ProgramRun& run : runs) {
+    std::optional<Encoding> encoding = mutant.encode(run.read.program);
+    if (!encoding) continue;
+    const std::string difference =
+        compare_encoding(run.read.program, std::move(*encoding), run.stimulus);
+    if (!difference.empty()) return run.name + ", " + difference;
+  }
+  return {};
+}
+
+class EncodingMutants : public testing::Test {
+ protected:
+  static void SetUpTestSuite() {
+    runs_ = mutant_runs(setting("RUNG_MUTANT_PROGRAMS", 2000));
+  }
+  static void TearDownTestSuite() { runs_.clear(); }
+
+  static void expect_dead(const std::vector<Mutant>& mutants) {
+    EXPECT_GT(mutants.size(), 50U);
+    std::size_t equivalent = 0;
+    for (const Mutant& mutant : mutants) {
+      const std::string how = killed_by(mutant, runs_);
+      const Equivalent* const row = find_equivalent(mutant.name);
+      equivalent += row == nullptr ? 0 : 1;
+      if (row == nullptr) {
+        EXPECT_FALSE(how.empty()) << "alive: " << mutant.name;
+      } else {
+        EXPECT_TRUE(how.empty())
+            << "listed as equivalent, but dies: " << mutant.name << " by "
+            << how;
+      }
+      std::cout << mutant.name << "\n    "
+                << (row == nullptr ? how
+                                   : "equivalent: " + std::string(row->reason))
+                << "\n";
+    }
+    std::cout << mutants.size() - equivalent << " mutants die, " << equivalent
+              << " are equivalent\n";
+  }
+
+  static std::vector<ProgramRun> runs_;
+};
+
+std::vector<ProgramRun> EncodingMutants::runs_;
+
+TEST_F(EncodingMutants, UnchangedEncodingAgrees) {
+  for (const ProgramRun& run : runs_) {
+    const Program& program = run.read.program;
+    EXPECT_EQ(
+        compare_encoding(program, {program, build_transition_system(program)},
+                         run.stimulus),
+        "")
+        << run.name;
+  }
+}
+
+TEST_F(EncodingMutants, OfElementsDie) { expect_dead(element_mutants()); }
+TEST_F(EncodingMutants, OfProgramsDie) { expect_dead(program_mutants()); }
+TEST_F(EncodingMutants, OfTransitionSystemsDie) {
+  expect_dead(system_mutants());
+}
+
+TEST(EncodingMutantsList, NamesMutants) {
+  std::vector<Mutant> mutants = element_mutants();
+  for (const auto& more : {program_mutants(), system_mutants()}) {
+    mutants.insert(mutants.end(), more.begin(), more.end());
+  }
+  for (const Equivalent& row : kEquivalent) {
+    EXPECT_TRUE(std::any_of(
+        mutants.begin(), mutants.end(),
+        [&row](const Mutant& mutant) { return mutant.name == row.mutant; }))
+        << row.mutant;
+  }
+}
+
+}  // namespace
+}  // namespace rung
