@@ -28,10 +28,10 @@ std::string_view to_string(Verdict verdict);
 struct Certificate {
   std::vector<std::string> lemmas;      // in the program's names
   std::vector<std::string> checked_by;  // "z3 4.8.12", "cvc5 1.0.3"
+  std::string smtlib_path;              // empty unless a file was asked for
   /// They had accepted the same script, word for word, for an equal part of
   /// the program, and were not asked again.
   bool reused = false;
-  std::string smtlib_path;              // empty unless a file was asked for
 };
 
 struct ObligationResult {
