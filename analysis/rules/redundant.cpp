@@ -85,8 +85,8 @@ bool is_told_elsewhere(const RuleRun& run, std::uint32_t node,
 
 void judge(RuleRun& run, const std::vector<std::uint32_t>& candidates,
            std::span<const RuleRun::Evidence> answers, const Report& report) {
-  if (answers[0].answer != RuleRun::Answer::No ||
-      answers[1].answer != RuleRun::Answer::No ||
+  if (answers[0].answer == RuleRun::Answer::Yes ||
+      answers[1].answer == RuleRun::Answer::Yes ||
       run.explained(RungId(run.index.rung_of[candidates[0]]))) {
     return;  // a constant does without every operand
   }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "analysis/rules/enumeration.h"
 #include "analysis/rules/sampling.h"
 
 namespace rung {
@@ -66,6 +67,22 @@ void RuleRun::ask(Want want, std::vector<ExprId> always, Judge judge) {
 void RuleRun::check(const Rule& rule) {
   rule_ = &rule;
   rule.check(*this);
+}
+
+/// What is true of every value of the terms close to a condition needs no
+/// solver.
+void RuleRun::enumerate_all(std::vector<Evidence>& answers) const {
+  std::vector<ExprId> open;
+  std::vector<std::size_t> of;
+  for (std::size_t i = 0; i < conditions_.size(); ++i) {
+    if (answers[i].answer != Answer::Unknown) continue;
+    open.push_back(conditions_[i]);
+    of.push_back(i);
+  }
+  const std::vector<bool> known = enumerate(ts, open);
+  for (std::size_t k = 0; k < of.size(); ++k) {
+    if (known[k]) answers[of[k]] = {Answer::Yes, "enumeration", std::nullopt};
+  }
 }
 
 /// Random runs answer the questions of which only a proof would count.
@@ -132,6 +149,7 @@ RuleSummary RuleRun::decide() {
     }
   }
   if (has_oracle && !conditions_.empty()) {
+    enumerate_all(answers);
     sample_proofs(answers);
     ask_oracle(answers);
   }

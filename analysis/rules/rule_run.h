@@ -78,6 +78,7 @@ class RuleRun {
     Judge judge;
   };
 
+  void enumerate_all(std::vector<Evidence>& answers) const;
   void sample_proofs(std::vector<Evidence>& answers);
   std::vector<std::size_t> select(const std::vector<Evidence>& answers) const;
   void ask_oracle(std::vector<Evidence>& answers) const;
