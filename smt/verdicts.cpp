@@ -101,7 +101,9 @@ void Verdicts::replay_together(const FoundRun& run,
       replay_all(program_, properties_, targets, stimulus);
   if (!replayed.assumptions_hold) return;
   for (std::size_t i = 0; i < obligations.size(); ++i) {
-    confirmed_[obligations[i]] = replayed.decided_at[i];
+    // Another run may have met it before, and this one not.
+    std::uint64_t& confirmed = confirmed_[obligations[i]];
+    if (confirmed == 0) confirmed = replayed.decided_at[i];
   }
 }
 
