@@ -14,6 +14,13 @@ Interpreter::Interpreter(const TransitionSystem& ts,
   for (std::uint32_t i = 0; i < terms_.size(); ++i) position_[terms_[i]] = i;
   for (std::uint32_t i = 0; i < terms_.size(); ++i) {
     const Expr& e = ts.exprs[terms_[i]];
+    Step step{e.op, i, 0, 0, e.op == ExprOp::Constant ? e.value : 0};
+    const Operands under = operands(e);
+    std::uint32_t* const places[] = {&step.a, &step.b, &step.c};
+    for (std::uint32_t o = 0; o < under.count; ++o) {
+      *places[o] = position(under.ids[o]);
+    }
+    steps_.push_back(step);
     if (e.op != ExprOp::Variable) continue;
     const Variable& var = ts.vars[e.var];
     if (var.role != VarRole::State) continue;
@@ -61,13 +68,13 @@ void Interpreter::set_input(VarId input, std::int64_t value) {
 }
 
 void Interpreter::scan() {
-  const auto of = [&](ExprId id) { return values_[position(id)]; };
-  for (std::uint32_t i = 0; i < terms_.size(); ++i) {
-    const Expr& e = ts_->exprs[terms_[i]];
+  const auto of = [&](std::uint32_t place) { return values_[place]; };
+  for (std::uint32_t i = 0; i < steps_.size(); ++i) {
+    const Step& e = steps_[i];
     std::int64_t& v = values_[i];
     switch (e.op) {
       case ExprOp::Constant:
-        v = e.value;
+        v = e.constant;
         break;
       case ExprOp::Variable:
         v = current_[i];

@@ -29,16 +29,24 @@ class Interpreter {
     std::uint32_t at;    // position of the variable
     std::uint32_t next;  // position of its next value
   };
+  /// A term with its operands by position: scans look nothing up.
+  struct Step {
+    ExprOp op;
+    std::uint32_t a = 0;
+    std::uint32_t b = 0;
+    std::uint32_t c = 0;
+    std::int64_t constant = 0;
+  };
   void collect(const std::vector<ExprId>& roots);
   std::uint32_t position(ExprId term) const { return position_.at(term); }
 
   const TransitionSystem* ts_;
   std::vector<ExprId> terms_;  // ascending, so operands come first
+  std::vector<Step> steps_;    // by position
   std::unordered_map<ExprId, std::uint32_t> position_;
   std::vector<std::int64_t> values_;   // by position
   std::vector<std::int64_t> current_;  // by position, of the variables
   std::vector<Latch> latches_;
-  std::vector<std::uint32_t> state_at_;
 };
 
 }  // namespace rung

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -18,6 +19,10 @@ class Lanes {
   void set(AigLit leaf, std::uint64_t lanes);
   /// Writes a word's leaves of one lane; constant bits are left alone.
   void set(const Word& leaves, std::uint32_t lane, std::int64_t value);
+  /// The same of all lanes: one value each.
+  using Values = std::array<std::int64_t, kCount>;
+  void set(const Word& leaves, const Values& values);
+  Values values(const Word& word) const;
   /// Gates from node `first` on: those before it must be up to date.
   void evaluate(std::uint32_t first = 1);
 

@@ -16,14 +16,6 @@ namespace {
 
 using Status = Target::Status;
 
-std::vector<Target*> open_ones(const std::vector<Target*>& targets) {
-  std::vector<Target*> open;
-  for (Target* target : targets) {
-    if (target->status == Status::Open) open.push_back(target);
-  }
-  return open;
-}
-
 bool asks_for_runs(const std::vector<Target*>& targets) {
   return std::any_of(targets.begin(), targets.end(), [](const Target* target) {
     return target->purpose != Target::Purpose::Fault;
@@ -110,9 +102,7 @@ std::vector<Oracle::Evidence> SolverOracle::always(
     std::vector<Target*> members;
     members.reserve(group.size());
     for (const std::size_t i : group) members.push_back(&targets[i]);
-    for (const char* engine : {"induction", "bmc"}) {
-      decide(open_ones(members), engine);
-    }
+    decide(members);
   }
   std::vector<Evidence> answers;
   answers.reserve(conditions.size());
@@ -135,17 +125,16 @@ Oracle::Evidence SolverOracle::answer(
   return evidence;
 }
 
-void SolverOracle::decide(const std::vector<Target*>& open,
-                          const char* engine) {
-  if (open.empty() || !asks_for_runs(open) || deadline_.passed()) return;
-  Portfolio portfolio(ts_, growth_, open,
-                      {engine, options_.max_depth, &deadline_});
-  portfolio.run();
+void SolverOracle::decide(const std::vector<Target*>& targets) {
+  if (!asks_for_runs(targets) || deadline_.passed()) return;
+  Portfolio portfolio(ts_, growth_, targets,
+                      {{}, options_.max_depth, &deadline_});
+  portfolio.sketch();
   if (portfolio.cone().circuit().overflow()) {
-    for (Target* target : open) target->status = Status::Open;
+    for (Target* target : targets) target->status = Status::Open;
     return;
   }
-  confirm(open, portfolio.invariant());
+  confirm(targets, portfolio.invariant());
 }
 
 /// A proof that its check does not accept is none.

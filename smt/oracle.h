@@ -32,7 +32,7 @@ class SolverOracle : public Oracle {
   std::vector<Evidence> always(const std::vector<ExprId>& conditions) override;
 
  private:
-  void decide(const std::vector<Target*>& open, const char* engine);
+  void decide(const std::vector<Target*>& targets);
   void confirm(const std::vector<Target*>& targets, const Invariant& invariant);
   Evidence answer(const Target& target,
                   const std::vector<Target>& targets) const;

@@ -143,7 +143,7 @@ void Portfolio::learn(std::vector<Candidate> lemmas, std::uint32_t k, bool all,
 
 /// Random runs: what they meet is reachable, and they are the samples that
 /// templates are filtered by.
-void Portfolio::simulate(std::uint32_t steps, bool sample) {
+void Portfolio::simulate(std::uint32_t steps, bool sample, Sought wanted) {
   std::vector<std::int64_t> first = first_inputs(cone_, *options_.deadline);
   if (first.empty() && !cone_.inputs().empty()) return;
   simulation_ =
@@ -155,9 +155,10 @@ void Portfolio::simulate(std::uint32_t steps, bool sample) {
   std::uint32_t idle = 0;  // steps that met nothing new
   for (std::uint32_t i = 0; i < steps && !out_of_time(); ++i) {
     simulation_->step();
-    if (sample) templates_->sample(*simulation_);
+    if (sample && i < kSimulated) templates_->sample(*simulation_);
     idle = note_hits() || simulation_->news() ? 0 : idle + 1;
-    if (!sample && idle >= idle_steps()) break;
+    if (idle < idle_steps(wanted)) continue;
+    if (!sample || i >= kSimulated) break;
   }
 }
 
@@ -181,26 +182,31 @@ bool Portfolio::note_hits() {
   return first;
 }
 
-/// Steps without news after which there is little hope: fewer when each is
-/// dear.
-std::uint32_t Portfolio::idle_steps() {
+/// Steps without news after which there is little hope to meet `wanted`: fewer
+/// when each is dear.
+std::uint32_t Portfolio::idle_steps(Sought wanted) {
+  constexpr std::uint32_t kFew = 20;
   constexpr std::size_t kGates = 2'000'000;  // evaluated in all
+  const bool hoping = std::any_of(
+      targets_.begin(), targets_.end(),
+      [&](const Target* t) { return t->doubtful() && is_sought(*t, wanted); });
+  if (!hoping) return kFew;
   return static_cast<std::uint32_t>(std::clamp<std::size_t>(
-      kGates / std::max<std::size_t>(cone_.circuit().aig().size(), 1), 20,
+      kGates / std::max<std::size_t>(cone_.circuit().aig().size(), 1), kFew,
       100));
 }
 
-/// Runs of the simulation for what the bounded search found too hard.
-void Portfolio::take_hits() {
+/// Runs of the simulation, of more than `steps`, for what the bounded search
+/// finds too hard.
+void Portfolio::take_hits(std::uint32_t steps) {
   if (simulation_ == nullptr) return;
   for (Target* target : targets_) {
-    if (target->status != Target::Status::Open || target->hit.step == 0)
-      continue;
-    if (target->purpose == Target::Purpose::Fault) continue;
+    if (!is_sought(*target, Sought::All)) continue;
+    if (target->hit.step <= steps) continue;
     Run run = simulation_->run(target->hit.step, target->hit.lane);
-    const std::uint32_t steps = first_hit(cone_, run, target->term, faults_);
-    if (steps == 0) continue;
-    run.resize(steps);
+    const std::uint32_t hit = first_hit(cone_, run, target->term, faults_);
+    if (hit == 0) continue;
+    run.resize(hit);
     run.back().delta = 0;
     target->status = Target::Status::Reached;
     target->engine = "simulation";
@@ -327,14 +333,34 @@ void Portfolio::minimise() {
 void Portfolio::prelude() {
   structural();
   if (uses("simulation") && any_sought(Sought::All))
-    simulate(kPreludeSteps, false);
+    simulate(kPreludeSteps, false, Sought::Hidden);
+}
+
+void Portfolio::sketch() {
+  constexpr std::uint32_t kMaxK = 2;
+  constexpr std::uint32_t kShallow = 3;  // where a search beats random runs
+  structural();
+  induction(0, false, {20000, kFirstRounds});
+  induction(1, false, {});
+  if (any_sought(Sought::All))
+    simulate(kPreludeSteps, any_doubtful(), Sought::All);
+  if (any_doubtful()) guess_lemmas();
+  for (std::uint32_t k = 1; k <= kMaxK; ++k) {
+    if (any_doubtful() && !out_of_time()) induction(k, true, {5000, 1000});
+  }
+  search(Sought::All, kShallow, 2000);
+  take_hits(options_.max_depth);
+  search(Sought::All, options_.max_depth, 2000);
+  take_hits(0);
+  minimise();
 }
 
 void Portfolio::run() {
   structural();
   if (uses("induction")) induction(0, false, {20000, kFirstRounds});
   if (uses("induction")) induction(1, false, {});
-  if (any_sought(Sought::All)) simulate(kSimulated, any_doubtful());
+  if (any_sought(Sought::All))
+    simulate(kSimulated, any_doubtful(), Sought::Hidden);
   if (uses("bmc")) search(Sought::Shown, 8, 2000);
   if (uses("bmc")) search_hidden(8, 2000);
   if (uses("bmc")) search_hidden(24, 2000);
@@ -346,7 +372,7 @@ void Portfolio::run() {
   }
   search_all_again();
   if (uses("bmc")) search(Sought::All, kSimulated, 5000);
-  if (uses("simulation")) take_hits();
+  if (uses("simulation")) take_hits(0);
   if (uses("bmc")) search(Sought::All, options_.max_depth, 50000);
   if (uses("pdr") && any_doubtful()) property_directed({100000, 50000});
   minimise();

@@ -38,6 +38,9 @@ class Portfolio {
   /// The rest, meant for targets that share state.
   void run();
 
+  /// What is cheap of run(), for questions that may stay open.
+  void sketch();
+
   /// Random runs of prelude(); null when there were none to make.
   const Simulation* simulation() const { return simulation_.get(); }
   const Cone& cone() const { return cone_; }
@@ -52,10 +55,8 @@ class Portfolio {
   }
   void structural();
   void induction(std::uint32_t k, bool all, const InductionLimits& limits);
-  void simulate(std::uint32_t steps, bool sample);
   bool note_hits();
-  std::uint32_t idle_steps();
-  void take_hits();
+  void take_hits(std::uint32_t steps);
   void guess_lemmas();
   void learn(std::vector<Candidate> lemmas, std::uint32_t k, bool all,
              const InductionLimits& limits);
@@ -65,6 +66,8 @@ class Portfolio {
   bool is_sought(const Target& target, Sought what) const;
   bool any_sought(Sought what) const;
   std::vector<Target*> sought(Sought what, std::vector<AigLit>& goals) const;
+  void simulate(std::uint32_t steps, bool sample, Sought wanted);
+  std::uint32_t idle_steps(Sought wanted);
   void search(Sought what, std::uint32_t depth, std::int64_t conflicts);
   bool search_depth(Sought what, std::int64_t conflicts);
   void search_hidden(std::uint32_t depth, std::int64_t conflicts);

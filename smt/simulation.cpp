@@ -141,26 +141,33 @@ void Simulation::keep_legal(const std::vector<std::uint64_t>& before) {
   alive_ &= lanes_.value(legal_);
 }
 
-void Simulation::set_stretch(const std::vector<std::int64_t>& deltas) {
+void Simulation::set_stretch(const Lanes::Values& deltas) {
   const std::int64_t longest =
       std::max<std::int64_t>(cone_->ts().scan.max_ms, 1);
-  for (std::uint32_t lane = 0; lane < Lanes::kCount; ++lane) {
-    lanes_.set(jump_->delta(), lane, deltas[lane]);
-    lanes_.set(jump_->scans(), lane, (deltas[lane] + longest - 1) / longest);
-  }
+  Lanes::Values scans;
+  std::transform(deltas.begin(), deltas.end(), scans.begin(),
+                 [&](auto delta) { return (delta + longest - 1) / longest; });
+  lanes_.set(jump_->delta(), deltas);
+  lanes_.set(jump_->scans(), scans);
 }
 
-/// How long until some clock that runs is what it is compared with.
-std::int64_t Simulation::time_to_event(std::uint32_t lane) const {
-  std::int64_t time = std::numeric_limits<std::int64_t>::max();
+/// How long until some clock that runs is what it is compared with; 0: none
+/// will be.
+Lanes::Values Simulation::times_to_event() const {
+  Lanes::Values times{};
   for (const Clock& clock : clocks_) {
-    const std::int64_t now = lanes_.value(clock.next, lane);
-    if (now <= lanes_.value(clock.before, lane)) continue;
-    const auto event =
-        std::upper_bound(clock.thresholds.begin(), clock.thresholds.end(), now);
-    if (event != clock.thresholds.end()) time = std::min(time, *event - now);
+    const Lanes::Values before = lanes_.values(clock.before);
+    const Lanes::Values next = lanes_.values(clock.next);
+    for (std::uint32_t lane = 0; lane < Lanes::kCount; ++lane) {
+      if (next[lane] <= before[lane]) continue;
+      const auto event = std::upper_bound(clock.thresholds.begin(),
+                                          clock.thresholds.end(), next[lane]);
+      if (event == clock.thresholds.end()) continue;
+      const std::int64_t time = *event - next[lane];
+      times[lane] = times[lane] == 0 ? time : std::min(times[lane], time);
+    }
   }
-  return time;
+  return times;
 }
 
 /// The longest sum of dt's that is not longer than `delta`, or 0.
@@ -175,17 +182,17 @@ std::int64_t Simulation::legal_sum(std::int64_t delta) const {
 /// A delta for each lane in which no comparison flips; 0 where none is found.
 /// Long waits are taken seldom: they hide short ones, and every scan of a run
 /// is replayed in the end.
-std::vector<std::int64_t> Simulation::longest_stretches() {
+Lanes::Values Simulation::longest_stretches() {
   constexpr int kTries = 3;
   constexpr std::int64_t kPatience[] = {
       1'000, 10'000, 100'000, std::numeric_limits<std::int64_t>::max()};
   const std::int64_t most =
       (std::int64_t{1} << (jump_->delta().size() - 1)) - 1;
-  std::vector<std::int64_t> deltas;
-  for (std::uint32_t lane = 0; lane < Lanes::kCount; ++lane) {
-    const std::int64_t wait = time_to_event(lane) - 1;
+  Lanes::Values deltas = times_to_event();
+  for (std::int64_t& delta : deltas) {
+    const std::int64_t wait = std::max<std::int64_t>(delta - 1, 0);
     const std::int64_t patience = kPatience[random() >> 8U & 3U];
-    deltas.push_back(wait > patience ? 0 : legal_sum(std::min(wait, most)));
+    delta = wait > patience ? 0 : legal_sum(std::min(wait, most));
   }
   lanes_.set(jump_->taken(), kAll);
   for (int i = 0; i < kTries; ++i) {
@@ -207,7 +214,7 @@ void Simulation::advance() {
   const std::vector<StateBit>& bits =
       jump_ != nullptr ? jump_->bits() : cone_->bits();
   if (jump_ != nullptr) {
-    std::vector<std::int64_t> deltas = longest_stretches();
+    const Lanes::Values deltas = longest_stretches();
     std::uint64_t taken = 0;
     for (std::uint32_t lane = 0; lane < Lanes::kCount; ++lane) {
       if (deltas[lane] > 0) taken |= std::uint64_t{1} << lane;
@@ -215,7 +222,7 @@ void Simulation::advance() {
     lanes_.set(jump_->taken(), taken);
     set_stretch(deltas);
     lanes_.evaluate(aig_node(jump_->taken()));
-    log_.back().deltas = std::move(deltas);
+    log_.back().deltas.assign(deltas.begin(), deltas.end());
   }
   std::vector<std::uint64_t> next;
   next.reserve(bits.size());

@@ -90,10 +90,10 @@ class Simulation {
   void set_inputs(const std::vector<std::uint64_t>& bits);
   std::vector<std::uint64_t> inputs() const;
   void advance();
-  std::vector<std::int64_t> longest_stretches();
-  std::int64_t time_to_event(std::uint32_t lane) const;
+  Lanes::Values longest_stretches();
+  Lanes::Values times_to_event() const;
   std::int64_t legal_sum(std::int64_t delta) const;
-  void set_stretch(const std::vector<std::int64_t>& deltas);
+  void set_stretch(const Lanes::Values& deltas);
 
   Cone* cone_;
   const JumpCircuit* jump_;
