@@ -24,16 +24,30 @@ class Oracle {
   struct Evidence {
     Answer answer = Answer::Unknown;
     std::string engine;
-    std::optional<Trace> witness;  // of No from always(): replayed
+    std::optional<Trace> witness;  // of No, if wanted: replayed
   };
 
-  /// Is `condition` (a term of the context's transition system) true at the
-  /// end of every scan of every run? Yes is proved and re-checked; No has a
-  /// witness run that ends in a scan where it is false.
-  virtual Evidence always(ExprId condition) = 0;
-  /// The same for many at once: much cheaper than one by one.
-  virtual std::vector<Evidence> always(
-      const std::vector<ExprId>& conditions) = 0;
+  struct Question {
+    ExprId condition;  // a term of the context's transition system
+    bool wants_witness = true;
+  };
+
+  /// Is each condition true at the end of every scan of every run? Yes is
+  /// proved and re-checked; No has a witness run, where one is wanted, that
+  /// ends in a scan where the condition is false. Many at once are much
+  /// cheaper than one by one.
+  virtual std::vector<Evidence> answer(
+      const std::vector<Question>& questions) = 0;
+
+  Evidence always(ExprId condition) {
+    return always(std::vector<ExprId>{condition}).front();
+  }
+  std::vector<Evidence> always(const std::vector<ExprId>& conditions) {
+    std::vector<Question> questions;
+    questions.reserve(conditions.size());
+    for (const ExprId condition : conditions) questions.push_back({condition});
+    return answer(questions);
+  }
 };
 
 struct RuleContext {

@@ -73,27 +73,29 @@ SolverOracle::SolverOracle(const Program& program, TransitionSystem& ts,
       options_(options),
       deadline_(options.seconds) {}
 
-Oracle::Evidence SolverOracle::always(ExprId condition) {
-  return always(std::vector<ExprId>{condition}).front();
-}
-
-std::vector<Oracle::Evidence> SolverOracle::always(
-    const std::vector<ExprId>& conditions) {
+std::vector<Oracle::Evidence> SolverOracle::answer(
+    const std::vector<Question>& questions) {
   growth_ = growth_terms(ts_);
   // The same question is asked once; two rules may have it.
   std::unordered_map<ExprId, std::size_t> place;
   std::vector<Target> targets;
-  const auto ask = [&](ExprId never, Target::Purpose purpose) {
-    if (!place.emplace(never, targets.size()).second) return;
-    targets.push_back({.term = ts_.exprs.negation(never),
-                       .never = never,
-                       .purpose = purpose});
+  const auto ask = [&](ExprId never, Target::Purpose purpose, bool hidden) {
+    const auto [entry, is_new] = place.emplace(never, targets.size());
+    if (is_new) {
+      targets.push_back({.term = ts_.exprs.negation(never),
+                         .never = never,
+                         .purpose = purpose,
+                         .hidden = true});
+    }
+    Target& target = targets[entry->second];
+    target.hidden = target.hidden && hidden;
   };
   for (const Fault& fault : ts_.faults) {
-    ask(ts_.exprs.negation(fault.condition), Target::Purpose::Fault);
+    ask(ts_.exprs.negation(fault.condition), Target::Purpose::Fault, true);
   }
-  for (const ExprId condition : conditions) {
-    ask(condition, Target::Purpose::Violation);
+  for (const Question& question : questions) {
+    ask(question.condition, Target::Purpose::Violation,
+        !question.wants_witness);
   }
   std::vector<ExprId> roots;
   roots.reserve(targets.size());
@@ -105,19 +107,21 @@ std::vector<Oracle::Evidence> SolverOracle::always(
     decide(members);
   }
   std::vector<Evidence> answers;
-  answers.reserve(conditions.size());
-  for (const ExprId condition : conditions) {
-    answers.push_back(answer(targets[place.at(condition)], targets));
+  answers.reserve(questions.size());
+  for (const Question& question : questions) {
+    answers.push_back(evidence(targets[place.at(question.condition)], targets));
   }
   return answers;
 }
 
-Oracle::Evidence SolverOracle::answer(
+Oracle::Evidence SolverOracle::evidence(
     const Target& target, const std::vector<Target>& targets) const {
   Evidence evidence;
   evidence.engine = target.engine;
   if (target.status == Status::Unreachable) {
     if (!fault_may_matter(target.term, targets)) evidence.answer = Answer::Yes;
+  } else if (target.status == Status::Reached && target.hidden) {
+    evidence.answer = Answer::No;
   } else if (target.status == Status::Reached) {
     evidence.witness = replay(target);
     if (evidence.witness) evidence.answer = Answer::No;

@@ -28,14 +28,13 @@ class SolverOracle : public Oracle {
   SolverOracle(const Program& program, TransitionSystem& ts,
                const OracleOptions& options = {});
 
-  Evidence always(ExprId condition) override;
-  std::vector<Evidence> always(const std::vector<ExprId>& conditions) override;
+  std::vector<Evidence> answer(const std::vector<Question>& questions) override;
 
  private:
   void decide(const std::vector<Target*>& targets);
   void confirm(const std::vector<Target*>& targets, const Invariant& invariant);
-  Evidence answer(const Target& target,
-                  const std::vector<Target>& targets) const;
+  Evidence evidence(const Target& target,
+                    const std::vector<Target>& targets) const;
   std::optional<Trace> replay(const Target& target) const;
   bool fault_may_matter(ExprId condition,
                         const std::vector<Target>& targets) const;

@@ -348,9 +348,15 @@ void Portfolio::sketch() {
   for (std::uint32_t k = 1; k <= kMaxK; ++k) {
     if (any_doubtful() && !out_of_time()) induction(k, true, {5000, 1000});
   }
-  search(Sought::All, kShallow, 2000);
+  for (Target* target : targets_) {
+    if (!target->met || !is_sought(*target, Sought::Hidden)) continue;
+    target->status = Target::Status::Reached;
+    target->engine = "simulation";
+  }
+  search_hidden(options_.max_depth, 2000);
+  search(Sought::Shown, kShallow, 2000);
   take_hits(options_.max_depth);
-  search(Sought::All, options_.max_depth, 2000);
+  search(Sought::Shown, options_.max_depth, 2000);
   take_hits(0);
   minimise();
 }

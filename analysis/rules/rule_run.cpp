@@ -99,44 +99,34 @@ void RuleRun::sample_proofs(std::vector<Evidence>& answers) {
   }
 }
 
-/// The questions for the oracle, by position in conditions_: what is still
-/// open, within the budget, and of equal conditions only the first.
-std::vector<std::size_t> RuleRun::select(
-    const std::vector<Evidence>& answers) const {
-  std::vector<std::size_t> chosen;
-  std::vector<bool> seen(ts.exprs.size());
+/// What is still open, within the budget, goes to the oracle: of equal
+/// conditions one question.
+void RuleRun::ask_oracle(std::vector<Evidence>& answers) const {
+  std::vector<Oracle::Question> asked;
+  std::vector<std::uint32_t> place(ts.exprs.size(), 0);  // in `asked`, from 1
   std::size_t proofs = budget_.proof_questions;
   std::size_t witnesses = budget_.witness_questions;
   for (const Question& question : questions_) {
-    std::size_t& left = question.want == Want::Proof ? proofs : witnesses;
+    const bool shown = question.want == Want::Witness;
+    std::size_t& left = shown ? witnesses : proofs;
     for (std::size_t i = question.begin; i < question.end; ++i) {
-      const std::uint32_t term = conditions_[i].index();
-      if (answers[i].answer != Answer::Unknown || seen[term] || left == 0) {
-        continue;
+      std::uint32_t& at = place[conditions_[i].index()];
+      if (answers[i].answer != Answer::Unknown) continue;
+      if (at == 0 && left == 0) continue;
+      if (at == 0) {
+        --left;
+        asked.push_back({conditions_[i], shown});
+        at = static_cast<std::uint32_t>(asked.size());
       }
-      seen[term] = true;
-      --left;
-      chosen.push_back(i);
+      asked[at - 1].wants_witness = asked[at - 1].wants_witness || shown;
     }
   }
-  return chosen;
-}
-
-void RuleRun::ask_oracle(std::vector<Evidence>& answers) const {
-  const std::vector<std::size_t> chosen = select(answers);
-  if (chosen.empty()) return;
-  std::vector<ExprId> terms;
-  terms.reserve(chosen.size());
-  for (const std::size_t i : chosen) terms.push_back(conditions_[i]);
-  std::vector<std::uint32_t> asked(ts.exprs.size(), 0);  // position + 1
-  for (std::uint32_t k = 0; k < terms.size(); ++k) {
-    asked[terms[k].index()] = k + 1;
-  }
-  const std::vector<Evidence> decided = oracle_->always(terms);
+  if (asked.empty()) return;
+  const std::vector<Evidence> decided = oracle_->answer(asked);
   for (std::size_t i = 0; i < conditions_.size(); ++i) {
-    const std::uint32_t k = asked[conditions_[i].index()];
-    if (answers[i].answer == Answer::Unknown && k != 0) {
-      answers[i] = decided[k - 1];
+    const std::uint32_t at = place[conditions_[i].index()];
+    if (answers[i].answer == Answer::Unknown && at != 0) {
+      answers[i] = decided[at - 1];
     }
   }
 }

@@ -80,7 +80,6 @@ class RuleRun {
 
   void enumerate_all(std::vector<Evidence>& answers) const;
   void sample_proofs(std::vector<Evidence>& answers);
-  std::vector<std::size_t> select(const std::vector<Evidence>& answers) const;
   void ask_oracle(std::vector<Evidence>& answers) const;
 
   DiagnosticSink& sink_;

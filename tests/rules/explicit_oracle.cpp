@@ -205,12 +205,12 @@ class Search {
 
 }  // namespace
 
-Oracle::Evidence ExplicitOracle::always(ExprId condition) {
-  return always(std::vector<ExprId>{condition})[0];
-}
-
-std::vector<Oracle::Evidence> ExplicitOracle::always(
-    const std::vector<ExprId>& conditions) {
+std::vector<Oracle::Evidence> ExplicitOracle::answer(
+    const std::vector<Question>& questions) {
+  std::vector<ExprId> conditions;
+  for (const Question& question : questions) {
+    conditions.push_back(question.condition);
+  }
   return Search(ts_, conditions).run();
 }
 

@@ -15,8 +15,7 @@ class ExplicitOracle : public Oracle {
  public:
   explicit ExplicitOracle(const TransitionSystem& ts) : ts_(ts) {}
 
-  Evidence always(ExprId condition) override;
-  std::vector<Evidence> always(const std::vector<ExprId>& conditions) override;
+  std::vector<Evidence> answer(const std::vector<Question>& questions) override;
 
  private:
   const TransitionSystem& ts_;

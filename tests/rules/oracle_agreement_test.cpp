@@ -26,14 +26,11 @@ class BothOracles : public Oracle {
   BothOracles(const Program& program, TransitionSystem& ts, Tally& tally)
       : engines_(program, ts), search_(ts), ts_(ts), tally_(tally) {}
 
-  Evidence always(ExprId condition) override {
-    return always(std::vector<ExprId>{condition})[0];
-  }
-
-  std::vector<Evidence> always(const std::vector<ExprId>& conditions) override {
-    std::vector<Evidence> found = engines_.always(conditions);
-    const std::vector<Evidence> known = search_.always(conditions);
-    for (std::size_t i = 0; i < conditions.size(); ++i) {
+  std::vector<Evidence> answer(
+      const std::vector<Question>& questions) override {
+    std::vector<Evidence> found = engines_.answer(questions);
+    const std::vector<Evidence> known = search_.answer(questions);
+    for (std::size_t i = 0; i < questions.size(); ++i) {
       ++tally_.questions;
       if (found[i].answer == Answer::Unknown ||
           known[i].answer == Answer::Unknown) {
@@ -41,7 +38,7 @@ class BothOracles : public Oracle {
       }
       ++tally_.decided;
       if (found[i].answer == known[i].answer) continue;
-      tally_.contradictions += to_string(ts_, conditions[i]) + " is " +
+      tally_.contradictions += to_string(ts_, questions[i].condition) + " is " +
                                (found[i].answer == Answer::Yes ? "" : "not ") +
                                "always true, says " + found[i].engine + "\n";
     }
