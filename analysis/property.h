@@ -87,6 +87,7 @@ Replay replay(const Program& program, const PropertySet& properties,
 struct ReplayTarget {
   std::uint32_t property = 0;
   std::uint32_t part = 0;
+  bool trigger = false;  // not the obligation but its trigger: when it is true
 };
 struct ReplayAll {
   std::vector<std::uint64_t> decided_at;  // by target, as Replay::decided_at

@@ -56,6 +56,26 @@ class PropertyWatch {
     return decided_;
   }
 
+  /// The left side of an invariant part is true at that scan's end.
+  bool triggered(std::uint32_t part, std::int64_t now_ms) const {
+    switch (property_.form) {
+      case Property::Form::Always:
+        return formulas_[0].left_side_holds();
+      case Property::Form::Latch:
+        return latch_triggered(part);
+      case Property::Form::For:
+        return holds(0) && now_ms - since_ >= property_.milliseconds;
+      case Property::Form::After:
+      case Property::Form::OnlyAfter:
+        return holds(0);
+      case Property::Form::Never:
+      case Property::Form::Reach:
+      case Property::Form::Interlock:
+        break;
+    }
+    return true;  // nothing makes it vacuous
+  }
+
   std::uint64_t steady_scans(const Simulator& simulator, std::int64_t dt_ms) {
     std::uint64_t limit = time_limit(simulator, dt_ms);
     for (FormulaWatch& formula : formulas_) {
@@ -199,6 +219,25 @@ class PropertyWatch {
     }
   }
 
+  bool latch_triggered(std::uint32_t part) const {
+    const bool set = holds(1);
+    const bool reset = holds(2);
+    switch (part) {
+      case Sets:
+        return set && (property_.dominant_set || !reset);
+      case Holds:
+        return formulas_[0].held_before() && !reset;
+      case Releasable:
+        return holds(0);
+      case Resets:
+        return reset && (!property_.dominant_set || !set);
+      case NoSpuriousStart:
+        return holds(0) && !formulas_[0].held_before();
+      default:
+        return true;
+    }
+  }
+
   const Property& property_;
   std::vector<FormulaWatch> formulas_;
   bool decided_ = false;
@@ -260,9 +299,15 @@ class Replayer {
     }
     for (std::size_t i = 0; i < targets_.size(); ++i) {
       std::uint64_t& at = result_.decided_at[i];
-      const PropertyWatch& watch = watches_[target_watch_[i]];
-      if (at == 0 && watch.decided(targets_[i].part)) at = simulator_.scans();
+      if (at == 0 && is_met(i)) at = simulator_.scans();
     }
+  }
+
+  bool is_met(std::size_t i) const {
+    const ReplayTarget& target = targets_[i];
+    const PropertyWatch& watch = watches_[target_watch_[i]];
+    return target.trigger ? watch.triggered(target.part, simulator_.now_ms())
+                          : watch.decided(target.part);
   }
 
   std::uint64_t skip(std::uint64_t count, std::int64_t dt_ms) {

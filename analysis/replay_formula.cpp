@@ -162,6 +162,11 @@ FormulaWatch::FormulaWatch(const Program& program,
   once_.resize(steps_.size());
 }
 
+bool FormulaWatch::left_side_holds() const {
+  const Step& root = steps_.back();
+  return root.op != FormulaOp::Implies || end_[root.operand[0]] != 0;
+}
+
 void FormulaWatch::start(const Simulator& simulator) {
   for (std::size_t i = 0; i < steps_.size(); ++i) {
     const Step& step = steps_[i];

@@ -57,6 +57,8 @@ class FormulaWatch {
   void end(const Simulator& simulator);
 
   bool holds() const { return end_.back() != 0; }
+  /// Of `P -> Q`: does P? Of any other formula: true.
+  bool left_side_holds() const;
   bool held_before() const { return previous_.back() != 0; }
 
   /// For how many more idle scans of `dt_ms` (Simulator::skip) no condition in

@@ -86,23 +86,27 @@ Verdicts::Verdicts(const Program& program, const PropertySet& properties,
       options_(options),
       proofs_(ts),
       group_of_(questions.targets.size(), 0),
-      confirmed_(questions.obligations.size(), 0) {}
+      confirmed_(questions.obligations.size(), 0),
+      replayed_(questions.targets.size(), false) {}
 
 void Verdicts::replay_together(const FoundRun& run,
-                               const std::vector<std::size_t>& obligations) {
+                               const std::vector<Claim>& claims) {
   Stimulus stimulus = to_stimulus(ts_, run);
   if (options_.inject_wrong_trace) stimulus.steps.clear();
   std::vector<ReplayTarget> targets;
-  for (std::size_t i : obligations) {
-    const Obligation& obligation = questions_.obligations[i];
-    targets.push_back({obligation.property, obligation.part});
+  for (const Claim& claim : claims) {
+    const Obligation& obligation = questions_.obligations[claim.obligation];
+    targets.push_back({obligation.property, obligation.part, claim.trigger});
   }
   const ReplayAll replayed =
       replay_all(program_, properties_, targets, stimulus);
   if (!replayed.assumptions_hold) return;
-  for (std::size_t i = 0; i < obligations.size(); ++i) {
-    // Another run may have met it before, and this one not.
-    std::uint64_t& confirmed = confirmed_[obligations[i]];
+  for (std::size_t i = 0; i < claims.size(); ++i) {
+    if (replayed.decided_at[i] == 0) continue;
+    replayed_[target_of(claims[i])] = true;
+    if (claims[i].trigger) continue;
+    // Another run may have met it before.
+    std::uint64_t& confirmed = confirmed_[claims[i].obligation];
     if (confirmed == 0) confirmed = replayed.decided_at[i];
   }
 }
@@ -197,7 +201,7 @@ ObligationResult Verdicts::conclude(std::size_t i) {
   }
   switch (target.status) {
     case Status::Reached:
-      if (is_confirmed(i)) {
+      if (confirmed_[i] != 0) {
         result.verdict = Verdict::Proved;
         result.scans = confirmed_[i];
       } else {
@@ -320,12 +324,29 @@ void Verdicts::conclude_unreachable(std::size_t i, ObligationResult& result) {
     return;
   }
   result.verdict = Verdict::Proved;
+  if (questions_.trigger[i] != Questions::kNone) judge_vacuity(i, result);
+}
+
+/// Can the left side of what was proved be true? A run says so, and the
+/// simulator has run it.
+void Verdicts::judge_vacuity(std::size_t i, ObligationResult& result) {
   const std::size_t trigger = questions_.trigger[i];
-  if (trigger == Questions::kNone) return;
+  const Target& target = questions_.targets[trigger];
   if (is_shown(trigger)) {
     result.verdict = Verdict::Vacuous;
     result.reason = "its left side can never be true";
-  } else if (questions_.targets[trigger].status != Status::Reached) {
+    return;
+  }
+  const bool reached = target.status == Status::Reached;
+  if (reached && options_.self_check && !replayed_[trigger]) {
+    replay_together(target.run, {{i, true}});
+    if (!replayed_[trigger] && wider_than_program(target).empty()) {
+      return fail(result, "engine " + std::string(target.engine) +
+                              " found a run to its left side; the simulator "
+                              "does not get there");
+    }
+  }
+  if (!reached || (options_.self_check && !replayed_[trigger])) {
     result.reason = "whether its left side can be true was not decided";
   }
 }

@@ -31,6 +31,13 @@ Questions make_questions(const Program& program, const PropertySet& properties,
 /// parts of a latch only say that there is one: a plant has thousands.
 bool shows_run(const Obligation& obligation);
 
+/// What a run is hoped to show: it meets the goal of an obligation, or its
+/// trigger.
+struct Claim {
+  std::size_t obligation = 0;
+  bool trigger = false;
+};
+
 /// Turns what engines found into verdicts, after checking it: traces by
 /// replay, proofs by the certificate's check. What fails its check is reported
 /// as a failure and never as a verdict.
@@ -40,12 +47,15 @@ class Verdicts {
            const TransitionSystem& ts, const Questions& questions,
            const VerifyOptions& options);
 
-  /// Replays a run that meets the goals of these obligations, whose runs are
-  /// not shown, and notes which of them it does meet.
-  void replay_together(const FoundRun& run,
-                       const std::vector<std::size_t>& obligations);
-  bool is_confirmed(std::size_t obligation) const {
-    return confirmed_[obligation] != 0;
+  /// Replays a run, which is not shown, and notes which claims it meets.
+  void replay_together(const FoundRun& run, const std::vector<Claim>& claims);
+  bool is_confirmed(const Claim& claim) const {
+    return claim.trigger ? replayed_[target_of(claim)]
+                         : confirmed_[claim.obligation] != 0;
+  }
+  std::size_t target_of(const Claim& claim) const {
+    return (claim.trigger ? questions_.trigger
+                          : questions_.goal)[claim.obligation];
   }
 
   /// Engines are done with these targets; `invariant` shows the unreachable
@@ -74,6 +84,7 @@ class Verdicts {
   void conclude_open(const Target& target, ObligationResult& result);
   void replay_into(const Target& target, ObligationResult& result);
   void fail(ObligationResult& result, const std::string& what);
+  void judge_vacuity(std::size_t i, ObligationResult& result);
   std::string open_fault(const Target& target) const;
   std::string wider_than_program(const Target& target) const;
 
@@ -86,6 +97,7 @@ class Verdicts {
   std::vector<Group> groups_;
   std::vector<std::size_t> group_of_;     // by target
   std::vector<std::uint64_t> confirmed_;  // by obligation: scans of the run
+  std::vector<bool> replayed_;            // by target: a replayed run meets it
   std::vector<SelfCheckFailure> failures_;
 };
 

@@ -76,10 +76,6 @@ class Verifier {
     all.prelude();
     if (all.cone().circuit().overflow()) return forget();
     if (all.simulation() == nullptr) return;
-    for (Target& target : questions_.targets) {
-      const bool trigger = target.purpose == Target::Purpose::Trigger;
-      if (trigger && target.met) reached_by_chance(target);
-    }
     confirm(all);
   }
 
@@ -102,21 +98,15 @@ class Verifier {
   /// meet most of it, then one for each of the rest.
   void confirm(const Portfolio& all) {
     const Simulation& random = *all.simulation();
-    std::vector<std::size_t> open;
-    for (std::size_t i = 0; i < questions_.obligations.size(); ++i) {
-      const std::size_t goal = questions_.goal[i];
-      if (goal == Questions::kNone) continue;
-      const Target& target = questions_.targets[goal];
-      if (target.hidden && target.hit.step != 0) open.push_back(i);
-    }
+    std::vector<Claim> open = claims();
     std::uint64_t scans = 0;
-    const auto try_run = [&](Run run, const std::vector<std::size_t>& tried) {
+    const auto try_run = [&](Run run, const std::vector<Claim>& tried) {
       scans += scan_count(run, ts_.scan);
       if (scans > kConfirmingScans) return;
       verdicts_.replay_together({all.cone().inputs(), std::move(run)}, tried);
-      for (std::size_t i : tried) {
-        Target& target = questions_.targets[questions_.goal[i]];
-        if (verdicts_.is_confirmed(i)) reached_by_chance(target);
+      for (const Claim& claim : tried) {
+        Target& target = questions_.targets[verdicts_.target_of(claim)];
+        if (verdicts_.is_confirmed(claim)) reached_by_chance(target);
       }
     };
     const std::uint32_t first =
@@ -124,30 +114,55 @@ class Verifier {
     for (int runs = 0; runs < kConfirmingRuns && !open.empty(); ++runs) {
       const std::uint32_t lane = most_hits(open);
       const auto rest = std::stable_partition(
-          open.begin(), open.end(),
-          [&](std::size_t i) { return (hit(i).lanes >> lane & 1U) == 0; });
+          open.begin(), open.end(), [&](const Claim& claim) {
+            return (hit(claim).lanes >> lane & 1U) == 0;
+          });
       if (rest == open.end()) break;
       try_run(random.run(first, lane), {rest, open.end()});
       open.erase(rest, open.end());
     }
     // The longest first: it may meet what others do.
     std::stable_sort(open.begin(), open.end(),
-                     [&](auto a, auto b) { return hit(a).step > hit(b).step; });
-    for (std::size_t i : open) {
-      if (verdicts_.is_confirmed(i)) continue;
-      try_run(random.run(hit(i).step, hit(i).lane), open);
+                     [&](const Claim& a, const Claim& b) {
+                       return hit(a).step > hit(b).step;
+                     });
+    for (const Claim& claim : open) {
+      if (verdicts_.is_confirmed(claim)) continue;
+      try_run(random.run(hit(claim).step, hit(claim).lane), open);
     }
   }
 
-  const RandomHit& hit(std::size_t obligation) const {
-    return questions_.targets[questions_.goal[obligation]].hit;
+  /// Goals and triggers that a random run met and that nobody sees a run of.
+  /// A trigger that several obligations share is claimed once.
+  std::vector<Claim> claims() const {
+    std::vector<Claim> result;
+    std::vector<bool> claimed(questions_.targets.size(), false);
+    const auto claim = [&](std::size_t target, const Claim& one) {
+      if (target == Questions::kNone) return;
+      const Target& asked = questions_.targets[target];
+      if (!asked.hidden || asked.hit.step == 0) return;
+      if (one.trigger && claimed[target]) return;
+      claimed[target] = true;
+      result.push_back(one);
+    };
+    for (std::size_t i = 0; i < questions_.obligations.size(); ++i) {
+      claim(questions_.goal[i], {i, false});
+    }
+    for (std::size_t i = 0; i < questions_.obligations.size(); ++i) {
+      claim(questions_.trigger[i], {i, true});
+    }
+    return result;
   }
 
-  std::uint32_t most_hits(const std::vector<std::size_t>& obligations) const {
+  const RandomHit& hit(const Claim& claim) const {
+    return questions_.targets[verdicts_.target_of(claim)].hit;
+  }
+
+  std::uint32_t most_hits(const std::vector<Claim>& claims) const {
     std::array<std::size_t, Lanes::kCount> count{};
-    for (std::size_t i : obligations) {
+    for (const Claim& claim : claims) {
       for (std::uint32_t lane = 0; lane < Lanes::kCount; ++lane) {
-        count[lane] += hit(i).lanes >> lane & 1U;
+        count[lane] += hit(claim).lanes >> lane & 1U;
       }
     }
     return static_cast<std::uint32_t>(

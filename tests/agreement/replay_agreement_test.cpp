@@ -85,8 +85,19 @@ Outcome check(const std::vector<std::uint32_t>& numbers) {
   });
   std::vector<ReplayTarget> targets;
   targets.reserve(obligations.size());
-  for (const Obligation& obligation : obligations) {
-    targets.push_back({obligation.property, obligation.part});
+  const std::size_t count = obligations.size();
+  for (std::size_t i = 0; i < count; ++i) {
+    targets.push_back({obligations[i].property, obligations[i].part});
+  }
+  // What makes them vacuous is asked like a `reach`.
+  for (std::size_t i = 0; i < count; ++i) {
+    if (!obligations[i].trigger.has_value()) continue;
+    targets.push_back({obligations[i].property, obligations[i].part, true});
+    Obligation left = obligations[i];
+    left.goal = Goal::Reach;
+    left.condition = left.trigger;
+    left.name += ", left side";
+    obligations.push_back(std::move(left));
   }
   const Stimulus stimulus = random_stimulus(read->program, tape, 50);
   bool has_fault = false;

@@ -126,6 +126,22 @@ TEST(Verify, AnInjectedWrongTraceIsRejected) {
   }
 }
 
+TEST(Verify, ARunToALeftSideIsReplayed) {
+  constexpr const char* kText =
+      "//@ stop: always I1 -> !Q0\n"
+      "//@ late: I0 for 10 s implies !I1 || !Q0\n"
+      "Q0 = I0 && !I1;\n";
+  VerifyOptions options;
+  expect(check(kText, options), "stop", Verdict::Proved);
+  expect(check(kText, options), "late", Verdict::Proved);
+  options.inject_wrong_trace = true;
+  const Checked c = check(kText, options);
+  for (const char* name : {"stop", "late"}) {
+    expect(c, name, Verdict::Unknown);
+    EXPECT_NE(c[name].reason.find("left side"), std::string::npos);
+  }
+}
+
 TEST(Verify, AnHourIsFoundAndItsTraceIsShort) {
   const Checked c = check(
       "//@ never Q0\n"
