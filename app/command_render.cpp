@@ -1,6 +1,7 @@
 #include "app/commands.h"
 #include "app/output.h"
 #include "app/session.h"
+#include "reports/ladder/svg.h"
 #include "reports/ladder/text.h"
 
 namespace rung {
@@ -41,7 +42,7 @@ int run_render(const Options& options) {
   for (const FormatRequest& request : formats) {
     const std::string picture =
         request.format == "svg"
-            ? draw_ladder_svg(*loaded.program)
+            ? draw_ladder_svg(session.sources(), *loaded.program)
             : draw_ladder(session.sources(), *loaded.program, options.ascii);
     if (request.path.empty()) {
       if (!print_out(picture)) return kExitUsage;

@@ -11,37 +11,64 @@ namespace {
 
 using Kind = LadderShape::Kind;
 
+// The nets at the two ends of a network; they become the rails.
+constexpr int kIn = LadderRung::kLeftRail;
+constexpr int kOut = LadderRung::kRightRail;
+
 /// A part of a rung with one wire in at its left and one out at its right, both
 /// in row 0.
 struct Network {
   std::vector<LadderShape> shapes;
   int width = 0;
   int height = 1;
+  int nets = 2;
 };
 
 int text_width(const std::string& text) {
   return static_cast<int>(printable_width(text));
 }
 
-Network single(Kind kind, std::string text) {
+Network single(Kind kind, std::string text,
+               std::uint32_t node = LadderShape::kNoNode) {
   // Room for the symbol and wires on each side.
   const int symbol = kind == Kind::Box ? text_width(text) + 2 : 3;
   const int width = std::max(symbol + 4, text_width(text) + 2);
-  return {{{kind, 0, 0, width, 0, std::move(text)}}, width, 1};
+  return {{{kind, 0, 0, width, 0, std::move(text), node, kIn, kOut}}, width, 1};
 }
 
-void append(Network& to, const Network& part, int x, int y) {
+LadderShape wire(int x, int y, int width, int net) {
+  return {Kind::Wire,           x,   y,   width, 0, "",
+          LadderShape::kNoNode, net, net, false};
+}
+
+LadderShape riser(int x, int height, int net) {
+  return {Kind::Riser,          x,   0,   0,    height, "",
+          LadderShape::kNoNode, net, net, false};
+}
+
+/// Puts `part` into `to`, between its nets `in` and `out`.
+void append(Network& to, const Network& part, int x, int y, int in, int out) {
+  const int first_inner = to.nets;
+  const auto renamed = [&](int net) {
+    if (net == kIn) return in;
+    return net == kOut ? out : first_inner + net - 2;
+  };
   for (LadderShape shape : part.shapes) {
     shape.x += x;
     shape.y += y;
+    shape.from = renamed(shape.from);
+    shape.to = renamed(shape.to);
     to.shapes.push_back(std::move(shape));
   }
+  to.nets += part.nets - 2;
 }
 
 Network series(const Network& left, const Network& right) {
-  Network out = left;
-  append(out, right, left.width, 0);
-  out.width += right.width;
+  Network out;
+  const int middle = out.nets++;
+  append(out, left, 0, 0, kIn, middle);
+  append(out, right, left.width, 0, middle, kOut);
+  out.width = left.width + right.width;
   out.height = std::max(left.height, right.height);
   return out;
 }
@@ -58,15 +85,15 @@ Network parallel(const std::vector<const Network*>& branches) {
   int last = 0;
   for (const Network* branch : branches) {
     const int y = out.height;
-    append(out, *branch, 1, y);
-    out.shapes.push_back({Kind::Wire, 0, y, 1, 0, ""});
+    append(out, *branch, 1, y, kIn, kOut);
+    out.shapes.push_back(wire(0, y, 1, kIn));
     out.shapes.push_back(
-        {Kind::Wire, 1 + branch->width, y, widest + 1 - branch->width, 0, ""});
+        wire(1 + branch->width, y, widest + 1 - branch->width, kOut));
     out.height += branch->height;
     last = y;
   }
-  out.shapes.push_back({Kind::Riser, 0, 0, 0, last, ""});
-  out.shapes.push_back({Kind::Riser, out.width, 0, 0, last, ""});
+  out.shapes.push_back(riser(0, last, kIn));
+  out.shapes.push_back(riser(out.width, last, kOut));
   return out;
 }
 
@@ -93,7 +120,8 @@ class RungLayout {
         return with_coil(whole);
       }
     }
-    return with_coil(single(Kind::Box, texts_.back()));
+    return with_coil(
+        single(Kind::Box, texts_.back(), rung_.root() - rung_.begin));
   }
 
  private:
@@ -156,20 +184,21 @@ class RungLayout {
 
   Network draw(std::uint32_t index) {
     const Node& node = program_.nodes[index];
+    const std::uint32_t n = index - rung_.begin;
     if (node.op == NodeOp::And) return series(at(node.a), at(node.b));
     if (node.op == NodeOp::Or) return parallel(branches(index));
-    if (node.op == NodeOp::Read) return single(Kind::Contact, text(index));
+    if (node.op == NodeOp::Read) return single(Kind::Contact, text(index), n);
     if (node.op == NodeOp::Not && is_read(node.a)) {
-      return single(Kind::Negated, text(node.a));
+      return single(Kind::Negated, text(node.a), n);
     }
     const auto input = chained_input(node);
-    if (!input || !leading_[index - rung_.begin]) {
-      return single(Kind::Box, text(index));
-    }
+    if (!input || !leading_[n]) return single(Kind::Box, text(index), n);
     const std::string label =
         node.op == NodeOp::Not ? "NOT"
                                : call_text(program_, program_.calls[node.call]);
-    return series(at(*input), single(Kind::Box, label));
+    Network box = single(Kind::Box, label, n);
+    box.shapes.front().behind_input = true;
+    return series(at(*input), box);
   }
 
   /// The operands of a run of `||`, so that three branches are not two in two.
@@ -194,7 +223,7 @@ class RungLayout {
     const Network coil =
         single(Kind::Coil, printable(program_.cells[rung_.target].name));
     Network whole = series(network, coil);
-    return {std::move(whole.shapes), whole.width, whole.height};
+    return {std::move(whole.shapes), whole.width, whole.height, whole.nets};
   }
 
   const Program& program_;
@@ -206,10 +235,34 @@ class RungLayout {
   std::vector<Network> networks_;
 };
 
+/// Moves the coil to a rail further to the right.
+void widen(LadderRung& rung, int width) {
+  if (width <= rung.width) return;
+  LadderShape coil = std::move(rung.shapes.back());
+  const int gap = width - rung.width;
+  rung.shapes.back() = wire(coil.x, coil.y, gap, coil.from);
+  coil.x += gap;
+  rung.shapes.push_back(std::move(coil));
+  rung.width = width;
+}
+
 }  // namespace
 
 LadderRung lay_out_rung(const Program& program, const Rung& rung) {
   return RungLayout(program, rung).lay_out();
+}
+
+std::vector<LadderRung> lay_out_ladder(const Program& program) {
+  std::vector<LadderRung> rungs;
+  int width = 0;
+  for (const Rung& rung : program.rungs) {
+    rungs.push_back(lay_out_rung(program, rung));
+    if (rungs.back().width <= kMaxAlignedWidth) {
+      width = std::max(width, rungs.back().width);
+    }
+  }
+  for (LadderRung& rung : rungs) widen(rung, width);
+  return rungs;
 }
 
 }  // namespace rung

@@ -1,11 +1,12 @@
+#include "reports/ladder/svg.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <string>
-#include <vector>
+#include <array>
 
-#include "reports/ladder/layout.h"
-#include "reports/ladder/text.h"
+#include "reports/locate.h"
+#include "reports/markup.h"
 #include "reports/unicode.h"
 
 namespace rung {
@@ -14,133 +15,238 @@ namespace {
 using Kind = LadderShape::Kind;
 
 constexpr int kUnit = 9;        // pixels of a character
-constexpr int kRow = 44;        // pixels of a row
-constexpr int kWire = 30;       // of a row's wire, from its top
+constexpr int kRow = 52;        // pixels of a row
+constexpr int kWire = 28;       // of a row's wire, from its top
+constexpr int kName = 14;       // of the text above a symbol, from the wire
+constexpr int kValue = 20;      // of the text below it
 constexpr int kHalfSymbol = 6;  // half of the gap in a contact
+constexpr int kHalfHeight = 9;  // of a symbol
+constexpr int kHalfBox = 11;    // of a box
+constexpr int kCaption = 22;    // pixels of a line of text above a rung
 constexpr int kMargin = 20;
+constexpr std::size_t kCaptionColumns = 110;
 
-std::string escaped(std::string_view text) {
-  std::string out;
-  for (const char c : text) {
-    switch (c) {
-      case '&':
-        out += "&amp;";
-        break;
-      case '<':
-        out += "&lt;";
-        break;
-      case '>':
-        out += "&gt;";
-        break;
-      default:
-        out += c;
-    }
-  }
-  return out;
+constexpr std::string_view kStyle =
+    R"(.ladder path{fill:none;stroke:#3b4148;stroke-width:1.5}
+.ladder path.on{stroke:#0b57d0;stroke-width:3.5}
+.ladder text{fill:#1b1f24;font:13px monospace;text-anchor:middle;white-space:pre}
+.ladder text.caption{fill:#57606a;text-anchor:start}
+.ladder text.value{fill:#0b57d0;font-weight:bold}
+.ladder .paper{fill:#fff}
+@media (prefers-color-scheme:dark){
+.ladder path{stroke:#aab1ba}
+.ladder path.on{stroke:#7cb2ff}
+.ladder text{fill:#e6e9ed}
+.ladder text.caption{fill:#9aa4af}
+.ladder text.value{fill:#7cb2ff}
+.ladder .paper{fill:#15181c}
 }
+)";
 
-class Picture {
+/// One rung: its strokes, those with power apart, and its texts.
+class RungPicture {
  public:
-  void rung(const LadderRung& rung, int width) {
-    width_ = std::max(width, rung.width);
+  RungPicture(const LadderRung& rung, const RungState* state)
+      : state_(state),
+        powered_(state != nullptr
+                     ? powered_nets(rung, *state)
+                     : std::vector<bool>(static_cast<std::size_t>(rung.nets),
+                                         false)) {
+    const int right = rung.width * kUnit;
+    move(0, 0, LadderRung::kLeftRail);
+    strokes() += fmt::format("V{}", rung.height * kRow);
+    move(right, 0, LadderRung::kRightRail);
+    strokes() += fmt::format("V{}", rung.height * kRow);
     for (const LadderShape& shape : rung.shapes) draw(shape);
-    line(0, top_, 0, top_ + rung.height * kRow);
-    line(width_ * kUnit, top_, width_ * kUnit, top_ + rung.height * kRow);
-    widest_ = std::max(widest_, width_);
-    top_ += rung.height * kRow;
   }
 
-  std::string take() const {
-    return fmt::format(
-        "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"{0} {0} {1} {2}\" "
-        "role=\"img\">\n<title>ladder</title>\n"
-        "<g fill=\"none\" stroke=\"currentColor\" stroke-width=\"1.5\">\n{3}"
-        "</g>\n<g fill=\"currentColor\" font-family=\"monospace\" "
-        "font-size=\"12\" text-anchor=\"middle\">\n{4}</g>\n</svg>\n",
-        -kMargin, widest_ * kUnit + 2 * kMargin, top_ + 2 * kMargin, lines_,
-        texts_);
+  std::string elements() const {
+    std::string out;
+    if (!strokes_[0].empty()) {
+      out += fmt::format("<path d=\"{}\"/>\n", strokes_[0]);
+    }
+    if (!strokes_[1].empty()) {
+      out += fmt::format("<path class=\"on\" d=\"{}\"/>\n", strokes_[1]);
+    }
+    return out + texts_;
   }
 
  private:
-  void line(int x1, int y1, int x2, int y2) {
-    if (x1 == x2 && y1 == y2) return;
-    lines_ += fmt::format("<path d=\"M{} {}L{} {}\"/>\n", x1, y1, x2, y2);
+  std::string& strokes() { return strokes_[is_on_ ? 1 : 0]; }
+
+  /// Begins a stroke of what is connected to `net`.
+  void move(int x, int y, int net) {
+    is_on_ = powered_[static_cast<std::size_t>(net)];
+    strokes() += fmt::format("M{} {}", x, y);
   }
 
-  void text(int x, int y, std::string_view value) {
-    texts_ += fmt::format("<text x=\"{}\" y=\"{}\">{}</text>\n", x, y,
-                          escaped(value));
+  void horizontal(int from, int to, int y, int net) {
+    if (from == to) return;
+    move(from, y, net);
+    strokes() += fmt::format("H{}", to);
+  }
+
+  void text(int x, int y, std::string_view style, std::string_view value) {
+    texts_ += fmt::format("<text x=\"{}\" y=\"{}\"{}>{}</text>\n", x, y, style,
+                          markup(value));
   }
 
   void draw(const LadderShape& shape) {
     const int x = shape.x * kUnit;
-    const int y = top_ + shape.y * kRow + kWire;
+    const int y = shape.y * kRow + kWire;
+    if (shape.kind == Kind::Wire) {
+      horizontal(x, x + shape.width * kUnit, y, shape.from);
+    } else if (shape.kind == Kind::Riser) {
+      if (shape.height == 0) return;
+      move(x, y, shape.from);
+      strokes() += fmt::format("v{}", shape.height * kRow);
+    } else {
+      draw_symbol(shape, x, y);
+    }
+  }
+
+  void draw_symbol(const LadderShape& shape, int x, int y) {
+    const int end = x + shape.width * kUnit;
+    const int middle = (x + end) / 2;
+    const bool is_box = shape.kind == Kind::Box;
+    const int half =
+        is_box ? (text_width(shape.text) + 1) * kUnit / 2 : kHalfSymbol;
+    horizontal(x, middle - half, y, shape.from);
+    horizontal(middle + half, end, y, shape.to);
+    draw_sides(shape, middle - half, middle + half, y);
+    text(middle, is_box ? y + 4 : y - kName, "", shape.text);
+    if (state_ != nullptr) {
+      text(middle, y + kValue + (is_box ? 4 : 0), " class=\"value\"",
+           value_of(shape));
+    }
+  }
+
+  void draw_sides(const LadderShape& shape, int left, int right, int y) {
     switch (shape.kind) {
       case Kind::Wire:
-        line(x, y, x + shape.width * kUnit, y);
-        return;
       case Kind::Riser:
-        line(x, y, x, y + shape.height * kRow);
         return;
       case Kind::Contact:
       case Kind::Negated:
+        side(left, y, fmt::format("v{}", 2 * kHalfHeight), shape.from);
+        side(right, y, fmt::format("v{}", 2 * kHalfHeight), shape.to);
+        if (shape.kind == Kind::Negated) {
+          move(left, y + kHalfHeight, shape.from);
+          strokes() += fmt::format("L{} {}", right, y - kHalfHeight);
+        }
+        return;
+      case Kind::Coil:
+        side(left + 3, y,
+             fmt::format("q-6 {} 0 {}", kHalfHeight, 2 * kHalfHeight),
+             shape.from);
+        side(right - 3, y,
+             fmt::format("q6 {} 0 {}", kHalfHeight, 2 * kHalfHeight),
+             shape.from);
+        return;
       case Kind::Box:
-        symbol(shape, x, x + shape.width * kUnit, y);
+        move(left, y - kHalfBox, shape.to);
+        strokes() += fmt::format("H{}v{}H{}z", right, 2 * kHalfBox, left);
         return;
-      case Kind::Coil: {
-        const int left = (width_ - shape.width) * kUnit;
-        line(x, y, left, y);
-        symbol(shape, left, width_ * kUnit, y);
-        return;
-      }
     }
   }
 
-  void symbol(const LadderShape& shape, int from, int to, int y) {
-    const int middle = (from + to) / 2;
-    int half = kHalfSymbol;
-    if (shape.kind == Kind::Box) {
-      half = (static_cast<int>(printable_width(shape.text)) + 1) * kUnit / 2;
-      lines_ +=
-          fmt::format("<rect x=\"{}\" y=\"{}\" width=\"{}\" height=\"20\"/>\n",
-                      middle - half, y - 10, 2 * half);
-      text(middle, y + 4, shape.text);
-    } else {
-      text(middle, y - 14, shape.text);
-    }
-    line(from, y, middle - half, y);
-    line(middle + half, y, to, y);
-    if (shape.kind == Kind::Coil) {
-      lines_ += fmt::format("<circle cx=\"{}\" cy=\"{}\" r=\"{}\"/>\n", middle,
-                            y, half);
-    } else if (shape.kind != Kind::Box) {
-      line(middle - half, y - 9, middle - half, y + 9);
-      line(middle + half, y - 9, middle + half, y + 9);
-      if (shape.kind == Kind::Negated) {
-        line(middle - half, y + 9, middle + half, y - 9);
-      }
-    }
+  void side(int x, int y, std::string_view stroke, int net) {
+    move(x, y - kHalfHeight, net);
+    strokes() += stroke;
   }
 
-  std::string lines_;
+  static int text_width(const std::string& text) {
+    return static_cast<int>(printable_width(text));
+  }
+
+  /// Of a contact the signal's value, not whether it lets power through.
+  std::string value_of(const LadderShape& shape) const {
+    if (shape.node == LadderShape::kNoNode) {
+      return fmt::format("{}", state_->target);
+    }
+    const RungState::Value& value = state_->nodes[shape.node];
+    if (!value.executed) return "-";
+    const bool inverted = shape.kind == Kind::Negated;
+    return fmt::format("{}", inverted ? 1 - value.value : value.value);
+  }
+
+  const RungState* state_;
+  std::vector<bool> powered_;
+  bool is_on_ = false;
+  std::array<std::string, 2> strokes_;  // without power, and with
   std::string texts_;
-  int top_ = 0;
-  int width_ = 0;
-  int widest_ = 0;
+};
+
+/// The rung's text as far as it stands on its first line.
+std::string_view first_line(const SourceSet& sources, const Rung& rung) {
+  const std::string_view text = sources.text(rung.where);
+  return text.substr(0, text.find_first_of("\r\n"));
+}
+
+/// Rungs below each other.
+class Picture {
+ public:
+  void add(const LadderRung& rung, const std::string& caption) {
+    body_ += fmt::format(
+        "<g transform=\"translate(0 {})\">\n"
+        "<text class=\"caption\" x=\"0\" y=\"{}\">{}</text>\n"
+        "<g transform=\"translate(0 {})\">\n{}</g>\n</g>\n",
+        top_, kCaption - 8, markup(caption, kCaptionColumns), kCaption,
+        RungPicture(rung, nullptr).elements());
+    top_ += kCaption + rung.height * kRow + kMargin;
+    const std::size_t columns =
+        std::min(printable_width(caption), kCaptionColumns + 1);
+    columns_ = std::max({columns_, rung.width, static_cast<int>(columns)});
+  }
+
+  std::string file(const std::string& title) const {
+    const int width = columns_ * kUnit + 2 * kMargin;
+    const std::int64_t height = top_ + kMargin;
+    return fmt::format(
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"ladder\" "
+        "width=\"{0}\" height=\"{1}\" viewBox=\"{2} {2} {0} {1}\" "
+        "role=\"img\" aria-labelledby=\"title\">\n"
+        "<title id=\"title\">{3}</title>\n<style>\n{4}</style>\n"
+        "<rect class=\"paper\" x=\"{2}\" y=\"{2}\" width=\"{0}\" "
+        "height=\"{1}\"/>\n{5}</svg>\n",
+        width, height, -kMargin, markup(title), kStyle, body_);
+  }
+
+ private:
+  std::string body_;
+  std::int64_t top_ = 0;
+  int columns_ = 0;
 };
 
 }  // namespace
 
-std::string draw_ladder_svg(const Program& program) {
-  std::vector<LadderRung> rungs;
-  int width = 0;
-  for (const Rung& rung : program.rungs) {
-    rungs.push_back(lay_out_rung(program, rung));
-    width = std::max(width, rungs.back().width);
-  }
+std::string draw_ladder_svg(const SourceSet& sources, const Program& program) {
+  const std::vector<LadderRung> rungs = lay_out_ladder(program);
+  const std::string& path = sources[program.file].path();
+  Locator locator(sources);
   Picture picture;
-  for (const LadderRung& rung : rungs) picture.rung(rung, width);
-  return picture.take();
+  for (const RungId id : ids_of(program.rungs)) {
+    const Rung& rung = program.rungs[id];
+    picture.add(rungs[id.index()],
+                fmt::format("{}  {}:{}  {}", id.index() + 1, path,
+                            locator.of(rung.where).begin.line,
+                            first_line(sources, rung)));
+  }
+  return picture.file("ladder of " + path);
 }
+
+std::string draw_rung_svg(const LadderRung& rung, const RungState* state,
+                          std::string_view label) {
+  const int width = rung.width * kUnit + 2 * kMargin;
+  const int height = rung.height * kRow;
+  return fmt::format(
+      "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"ladder\" "
+      "width=\"{0}\" height=\"{1}\" viewBox=\"{2} 0 {0} {1}\" role=\"img\" "
+      "aria-label=\"{3}\">\n{4}</svg>\n",
+      width, height, -kMargin, markup(label),
+      RungPicture(rung, state).elements());
+}
+
+std::string_view ladder_style() { return kStyle; }
 
 }  // namespace rung

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <vector>
 
 #include "reports/ladder/layout.h"
@@ -13,8 +12,6 @@ namespace rung {
 namespace {
 
 using Kind = LadderShape::Kind;
-
-constexpr int kMaxAlignedWidth = 100;
 
 // Where wires leave a cell of the canvas.
 constexpr unsigned kUp = 1;
@@ -130,11 +127,13 @@ std::string_view symbol(Kind kind, bool ascii) {
 
 class RungDrawing {
  public:
-  RungDrawing(const LadderRung& rung, int width, bool ascii)
-      : rung_(rung), canvas_(width + 1, 2 * rung.height, ascii), ascii_(ascii) {
+  RungDrawing(const LadderRung& rung, bool ascii)
+      : rung_(rung),
+        canvas_(rung.width + 1, 2 * rung.height, ascii),
+        ascii_(ascii) {
     canvas_.vertical(0, 0, 2 * rung.height - 1);
     canvas_.connect(0, 0, kUp);
-    for (const LadderShape& shape : rung.shapes) draw(shape, width);
+    for (const LadderShape& shape : rung.shapes) draw(shape);
   }
 
   std::string text() const {
@@ -146,7 +145,7 @@ class RungDrawing {
   }
 
  private:
-  void draw(const LadderShape& shape, int width) {
+  void draw(const LadderShape& shape) {
     const int y = line_of(shape.y);
     switch (shape.kind) {
       case Kind::Wire:
@@ -161,21 +160,19 @@ class RungDrawing {
         return;
       case Kind::Contact:
       case Kind::Negated:
-        draw_symbol(shape, shape.x, shape.x + shape.width);
+        draw_symbol(shape);
         return;
       case Kind::Coil:
-        // Coils are moved to the right rail.
-        canvas_.horizontal(shape.x, width - shape.width, y);
-        draw_symbol(shape, width - shape.width, width);
-        canvas_.connect(width, y, kUp | kDown);
+        draw_symbol(shape);
+        canvas_.connect(rung_.width, y, kUp | kDown);
         return;
     }
   }
 
-  void draw_symbol(const LadderShape& shape, int from, int to) {
+  void draw_symbol(const LadderShape& shape) {
     const int y = line_of(shape.y);
-    canvas_.horizontal(from, to, y);
-    const int symbol_at = from + (to - from + 1 - 3) / 2;
+    canvas_.horizontal(shape.x, shape.x + shape.width, y);
+    const int symbol_at = shape.x + (shape.width + 1 - 3) / 2;
     canvas_.write(symbol_at, y, symbol(shape.kind, ascii_));
     const auto text = static_cast<int>(printable_width(shape.text));
     canvas_.write(symbol_at + 1 - (text - 1) / 2, y - 1, shape.text);
@@ -190,23 +187,15 @@ class RungDrawing {
 
 std::string draw_ladder(const SourceSet& sources, const Program& program,
                         bool ascii) {
-  std::vector<LadderRung> rungs;
-  int width = 0;
-  for (const Rung& rung : program.rungs) {
-    rungs.push_back(lay_out_rung(program, rung));
-    if (rungs.back().width <= kMaxAlignedWidth) {
-      width = std::max(width, rungs.back().width);
-    }
-  }
+  const std::vector<LadderRung> rungs = lay_out_ladder(program);
   Locator locator(sources);
   std::string out;
   for (const RungId id : ids_of(program.rungs)) {
-    const LadderRung& rung = rungs[id.index()];
     const Place place = locator.of(program.rungs[id].where);
     out +=
         fmt::format("{:>3} {}:{}\n", id.index() + 1,
                     printable(sources[program.file].path()), place.begin.line);
-    out += RungDrawing(rung, std::max(width, rung.width), ascii).text();
+    out += RungDrawing(rungs[id.index()], ascii).text();
     out += '\n';
   }
   return out;

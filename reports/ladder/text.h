@@ -19,7 +19,4 @@ namespace rung {
 std::string draw_ladder(const SourceSet& sources, const Program& program,
                         bool ascii);
 
-/// The same as a picture.
-std::string draw_ladder_svg(const Program& program);
-
 }  // namespace rung

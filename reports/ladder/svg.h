@@ -1,0 +1,27 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "analysis/program.h"
+#include "base/source.h"
+#include "reports/ladder/layout.h"
+#include "reports/ladder/power.h"
+
+namespace rung {
+
+/// The program as a ladder, an SVG file of its own: every rung with its number,
+/// its place and the start of its text. Colours follow the reader's light or
+/// dark setting; nothing is loaded from elsewhere.
+std::string draw_ladder_svg(const SourceSet& sources, const Program& program);
+
+/// One rung as an <svg> element for a page that has ladder_style(). With a
+/// state, the value of each symbol stands under it, and what has power is
+/// drawn thicker. `label` is what a reader who does not see it is told.
+std::string draw_rung_svg(const LadderRung& rung, const RungState* state,
+                          std::string_view label);
+
+/// The style rules of both, for a <style> element.
+std::string_view ladder_style();
+
+}  // namespace rung
