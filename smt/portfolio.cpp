@@ -337,7 +337,6 @@ void Portfolio::prelude() {
 }
 
 void Portfolio::sketch() {
-  constexpr std::uint32_t kMaxK = 2;
   constexpr std::uint32_t kShallow = 3;  // where a search beats random runs
   structural();
   induction(0, false, {20000, kFirstRounds});
@@ -345,15 +344,12 @@ void Portfolio::sketch() {
   if (any_sought(Sought::All))
     simulate(kPreludeSteps, any_doubtful(), Sought::All);
   if (any_doubtful()) guess_lemmas();
-  for (std::uint32_t k = 1; k <= kMaxK; ++k) {
-    if (any_doubtful() && !out_of_time()) induction(k, true, {5000, 1000});
-  }
+  if (any_doubtful() && !invariant_.lemmas.empty()) induction(1, true, {});
   for (Target* target : targets_) {
     if (!target->met || !is_sought(*target, Sought::Hidden)) continue;
     target->status = Target::Status::Reached;
     target->engine = "simulation";
   }
-  search_hidden(options_.max_depth, 2000);
   search(Sought::Shown, kShallow, 2000);
   take_hits(options_.max_depth);
   search(Sought::Shown, options_.max_depth, 2000);

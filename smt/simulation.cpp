@@ -179,11 +179,9 @@ std::int64_t Simulation::legal_sum(std::int64_t delta) const {
   return scans >= fewest ? delta : std::min(delta, scans * scan.max_ms);
 }
 
-/// A delta for each lane in which no comparison flips; 0 where none is found.
-/// Long waits are taken seldom: they hide short ones, and every scan of a run
-/// is replayed in the end.
-Lanes::Values Simulation::longest_stretches() {
-  constexpr int kTries = 3;
+/// How long each lane waits at most. Long waits are seldom: they hide short
+/// ones, and every scan of a run is replayed in the end.
+Lanes::Values Simulation::waits() {
   constexpr std::int64_t kPatience[] = {
       1'000, 10'000, 100'000, std::numeric_limits<std::int64_t>::max()};
   const std::int64_t most =
@@ -194,36 +192,40 @@ Lanes::Values Simulation::longest_stretches() {
     const std::int64_t patience = kPatience[random() >> 8U & 3U];
     delta = wait > patience ? 0 : legal_sum(std::min(wait, most));
   }
-  lanes_.set(jump_->taken(), kAll);
-  for (int i = 0; i < kTries; ++i) {
+  return deltas;
+}
+
+/// Evaluates the stretches that may be taken: where no comparison flips. The
+/// lanes that take one; `deltas` becomes 0 in the others.
+std::uint64_t Simulation::take_stretches(Lanes::Values& deltas) {
+  std::uint64_t taken = 0;
+  for (std::uint32_t lane = 0; lane < Lanes::kCount; ++lane) {
+    if (deltas[lane] > 0) taken |= std::uint64_t{1} << lane;
+  }
+  while (taken != 0) {
+    lanes_.set(jump_->taken(), taken);
     set_stretch(deltas);
     // The jump's gates were made last; a scan's own do not depend on it.
     lanes_.evaluate(aig_node(jump_->taken()));
-    const std::uint64_t allowed = lanes_.value(jump_->allowed());
-    if (allowed == kAll) break;
+    const std::uint64_t refused = taken & ~lanes_.value(jump_->allowed());
+    if (refused == 0) break;
+    taken &= ~refused;
     for (std::uint32_t lane = 0; lane < Lanes::kCount; ++lane) {
-      if ((allowed >> lane & 1U) != 0) continue;
-      deltas[lane] = i + 1 < kTries ? legal_sum(deltas[lane] / 4) : 0;
+      if ((refused >> lane & 1U) != 0) deltas[lane] = 0;
     }
   }
-  return deltas;
+  return taken;
 }
 
 /// To the state behind the scan just made, or behind its stretch.
 void Simulation::advance() {
-  const std::vector<StateBit>& bits =
-      jump_ != nullptr ? jump_->bits() : cone_->bits();
+  bool stretched = false;
   if (jump_ != nullptr) {
-    const Lanes::Values deltas = longest_stretches();
-    std::uint64_t taken = 0;
-    for (std::uint32_t lane = 0; lane < Lanes::kCount; ++lane) {
-      if (deltas[lane] > 0) taken |= std::uint64_t{1} << lane;
-    }
-    lanes_.set(jump_->taken(), taken);
-    set_stretch(deltas);
-    lanes_.evaluate(aig_node(jump_->taken()));
+    Lanes::Values deltas = waits();
+    stretched = take_stretches(deltas) != 0;
     log_.back().deltas.assign(deltas.begin(), deltas.end());
   }
+  const std::vector<StateBit>& bits = stretched ? jump_->bits() : cone_->bits();
   std::vector<std::uint64_t> next;
   next.reserve(bits.size());
   for (const StateBit& bit : bits) next.push_back(lanes_.value(bit.next));

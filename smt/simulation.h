@@ -90,7 +90,8 @@ class Simulation {
   void set_inputs(const std::vector<std::uint64_t>& bits);
   std::vector<std::uint64_t> inputs() const;
   void advance();
-  Lanes::Values longest_stretches();
+  Lanes::Values waits();
+  std::uint64_t take_stretches(Lanes::Values& deltas);
   Lanes::Values times_to_event() const;
   std::int64_t legal_sum(std::int64_t delta) const;
   void set_stretch(const Lanes::Values& deltas);
