@@ -81,6 +81,12 @@ class Simulator {
 /// for an input that the plant writes: then the stimulus is the plant.
 Trace simulate(const Program& program, const Stimulus& stimulus);
 
+/// The same with a Trace step for each stretch of scans in which no cell
+/// changes, so that no value is hidden between two steps. Where a stimulus step
+/// has very many of them, as of a relay that flickers for an hour, the last of
+/// its Trace steps stands for the rest and says that it `changes`.
+Trace simulate_changes(const Program& program, const Stimulus& stimulus);
+
 /// Every change of a run, for waveforms.
 struct Recording {
   struct Change {

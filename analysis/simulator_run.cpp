@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <utility>
 
 #include "analysis/simulator.h"
 
@@ -51,24 +52,86 @@ class Runner {
   bool runs_plant_ = false;
 };
 
+/// Writes down what a runner does, a stimulus step in at most `max_parts`.
+class TraceWriter {
+ public:
+  TraceWriter(const Program& program, const Simulator& simulator,
+              std::size_t max_parts)
+      : simulator_(simulator),
+        max_parts_(max_parts),
+        values_(program.cells.size()) {}
+
+  void begin_step(std::int64_t dt_ms) {
+    dt_ms_ = dt_ms;
+    parts_ = 0;
+  }
+  /// A scan was executed; those that were skipped before it changed nothing.
+  void after_scan() {
+    look();
+    const bool same = parts_ > 0 && trace_.steps.back().values == values_;
+    if (same) return;
+    if (parts_ < max_parts_) {
+      if (parts_ > 0) close(simulator_.scans() - 1);
+      trace_.steps.emplace_back().dt_ms = dt_ms_;
+      ++parts_;
+    } else {
+      trace_.steps.back().changes = true;
+    }
+    trace_.steps.back().values = values_;
+  }
+  void end_step() {
+    if (parts_ == 0) {  // of no scans
+      look();
+      trace_.steps.emplace_back().dt_ms = dt_ms_;
+      trace_.steps.back().values = values_;
+    }
+    close(simulator_.scans());
+  }
+  Trace take() { return std::move(trace_); }
+
+ private:
+  void look() {
+    for (std::uint32_t i = 0; i < values_.size(); ++i) {
+      values_[i] = simulator_.value(CellId(i));
+    }
+  }
+  void close(std::uint64_t scan) {
+    Trace::Step& step = trace_.steps.back();
+    step.scan = scan;
+    step.repeat = scan - closed_;
+    closed_ = scan;
+  }
+
+  const Simulator& simulator_;
+  std::size_t max_parts_;
+  std::vector<std::int64_t> values_;
+  std::int64_t dt_ms_ = 1;
+  std::size_t parts_ = 0;     // of the stimulus step at hand
+  std::uint64_t closed_ = 0;  // the last scan that stands in the trace
+  Trace trace_;
+};
+
+Trace written(const Program& program, const Stimulus& stimulus,
+              std::size_t max_parts) {
+  Runner runner(program, stimulus);
+  TraceWriter writer(program, runner.simulator(), max_parts);
+  for (const StimulusStep& step : stimulus.steps) {
+    writer.begin_step(step.dt_ms);
+    runner.run(step, [&writer] { writer.after_scan(); });
+    writer.end_step();
+  }
+  return writer.take();
+}
+
 }  // namespace
 
 Trace simulate(const Program& program, const Stimulus& stimulus) {
-  Runner runner(program, stimulus);
-  Trace trace;
-  trace.steps.reserve(stimulus.steps.size());
-  for (const StimulusStep& step : stimulus.steps) {
-    runner.run(step, [] {});
-    const Simulator& simulator = runner.simulator();
-    Trace::Step& out = trace.steps.emplace_back();
-    out.scan = simulator.scans();
-    out.dt_ms = step.dt_ms;
-    out.repeat = step.repeat;
-    for (const CellId cell : ids_of(program.cells)) {
-      out.values.push_back(simulator.value(cell));
-    }
-  }
-  return trace;
+  return written(program, stimulus, 1);
+}
+
+Trace simulate_changes(const Program& program, const Stimulus& stimulus) {
+  constexpr std::size_t kMaxParts = 64;
+  return written(program, stimulus, kMaxParts);
 }
 
 Recording record(const Program& program, const Stimulus& stimulus) {

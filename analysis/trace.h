@@ -29,6 +29,7 @@ struct Trace {
     std::int64_t dt_ms = 1;
     std::uint64_t repeat = 1;
     std::vector<std::int64_t> values;  // by CellId index
+    bool changes = false;  // a cell also changes behind its first scan
   };
   std::vector<Step> steps;
 };

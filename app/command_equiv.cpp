@@ -35,15 +35,16 @@ EquivalenceReport empty_report(Session& session) {
   return report;
 }
 
-/// What the second program assumes and the first does not is left out, which
-/// is sound: the programs are compared on more runs.
-void note_assumptions(const Loaded& a, const Loaded& b,
+/// Only runs that both programs allow are compared. What just one of them
+/// assumes is said: the other may be meant for more.
+void note_assumptions(const Loaded& one, const Loaded& other,
                       EquivalenceReport& report) {
-  const auto& used = a.report.properties.assumptions;
-  for (const std::string& one : b.report.properties.assumptions) {
-    if (std::find(used.begin(), used.end(), one) != used.end()) continue;
-    report.notes.push_back("the assumption `" + one + "` of " + b.report.path +
-                           " is not used: the first program has none like it");
+  const auto& known = other.report.properties.assumptions;
+  for (const std::string& text : one.report.properties.assumptions) {
+    if (std::find(known.begin(), known.end(), text) != known.end()) continue;
+    report.notes.push_back("compared only where `" + text +
+                           "` holds: " + one.report.path + " assumes it, " +
+                           other.report.path + " does not");
   }
 }
 
@@ -85,6 +86,7 @@ int run_equiv(const Options& options) {
   equivalence.self_check = options.self_check;
   equivalence.map = options.map;
   equivalence.assumptions = a.report.properties.assumptions;
+  equivalence.assumptions_b = b.report.properties.assumptions;
   equivalence.recheck = options.recheck;
   equivalence.smtlib_directory = options.certificates;
   const auto start = std::chrono::steady_clock::now();
@@ -96,6 +98,7 @@ int run_equiv(const Options& options) {
   if (!result.error.empty()) return usage_error(result.error);
   take(std::move(result), report);
   note_assumptions(a, b, report);
+  note_assumptions(b, a, report);
   return emit(report, options);
 }
 

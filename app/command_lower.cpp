@@ -38,17 +38,23 @@ std::optional<std::string> check_target(const Options& options) {
                      did_you_mean(options.to, names));
 }
 
-/// Says why the lowered program is not left on disk: a fault of ours.
-int refuse(const std::string& why) {
+/// Says why the lowered program is not left on disk: a fault of ours, or a
+/// proof that did not come to an end.
+int refuse(const Validation& validation) {
   fmt::print(stderr,
-             "rungproof: internal error: the lowered program is not proved "
-             "equivalent to its source, so it is not written: {}\n",
-             why);
-  return kExitInternal;
+             "rungproof: {}the lowered program is not proved equivalent to its "
+             "source, so it is not written: {}\n",
+             validation.status == kExitInternal ? "internal error: " : "",
+             validation.reason);
+  return validation.status;
+}
+
+bool to_standard_output(const Options& options) {
+  return options.output.empty() || options.output == "-";
 }
 
 int write_lowered(const Options& options, const std::string& bytes) {
-  if (options.output.empty()) return print_out(bytes) ? 0 : kExitUsage;
+  if (to_standard_output(options)) return print_out(bytes) ? 0 : kExitUsage;
   const auto error = write_file(options.output, bytes);
   return error ? output_error(options.output, *error) : 0;
 }
@@ -57,8 +63,8 @@ int write_lowered(const Options& options, const std::string& bytes) {
 
 int run_lower(const Options& options) {
   if (const auto error = check_target(options)) return usage_error(*error);
-  const bool to_terminal =
-      options.binary && options.output.empty() && ::isatty(STDOUT_FILENO) != 0;
+  const bool to_terminal = options.binary && to_standard_output(options) &&
+                           ::isatty(STDOUT_FILENO) != 0;
   if (to_terminal) return usage_error("--binary: a terminal cannot show it");
   Session session(options);
   if (session.error()) return usage_error(*session.error());
@@ -80,7 +86,7 @@ int run_lower(const Options& options) {
   }
   print_input_errors(session.sources(), loaded.report, options);  // notes
   const Validation validation = validate_translation(program, *bytes, options);
-  if (validation.status != 0) return refuse(validation.reason);
+  if (validation.status != 0) return refuse(validation);
   return write_lowered(options, *bytes);
 }
 

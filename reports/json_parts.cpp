@@ -31,6 +31,7 @@ Json json_of(const Program& program, const Trace& trace,
     }
     Json one = {{"scan", step.scan}, {"dt_ms", step.dt_ms}};
     if (step.repeat > 1) one["repeat"] = step.repeat;
+    if (step.changes) one["changes"] = true;
     one["values"] = std::move(values);
     steps.push_back(std::move(one));
   }

@@ -12,6 +12,30 @@ namespace {
 constexpr std::size_t kMaxWidth = 100;  // of the signals' columns
 constexpr std::size_t kFewSignals = 16;
 
+bool same_line(const Trace::Step& a, const Trace::Step& b,
+               const std::vector<CellId>& signals) {
+  return a.dt_ms == b.dt_ms && !a.changes && !b.changes &&
+         std::all_of(signals.begin(), signals.end(), [&](CellId id) {
+           return a.values[id.index()] == b.values[id.index()];
+         });
+}
+
+/// Steps that differ only in what has no column are one line.
+Trace merged(const Trace& trace, const std::vector<CellId>& signals) {
+  Trace result;
+  for (const Trace::Step& step : trace.steps) {
+    const bool again =
+        !result.steps.empty() && same_line(result.steps.back(), step, signals);
+    if (!again) {
+      result.steps.push_back(step);
+      continue;
+    }
+    result.steps.back().scan = step.scan;
+    result.steps.back().repeat += step.repeat;
+  }
+  return result;
+}
+
 /// What stands left of the bar and right of the signals, a line a step.
 struct Line {
   std::string scan;
@@ -31,6 +55,7 @@ std::vector<Line> lines_of(const Trace& trace) {
       line.remark =
           fmt::format("x {} scans, {}", step.repeat, duration(lasted));
     }
+    if (step.changes) line.remark += ", with changes in between";
     lines.push_back(std::move(line));
   }
   return lines;
@@ -115,10 +140,11 @@ std::string duration(std::int64_t milliseconds) {
 }
 
 std::string draw_scan_table(const ScanTable& table, const Painter& paint) {
-  const std::vector<Line> lines = lines_of(table.trace);
+  const Trace trace = merged(table.trace, table.signals);
+  const std::vector<Line> lines = lines_of(trace);
   std::vector<Column> columns;
   for (const CellId id : table.signals) {
-    std::vector<std::string> cells = column_of(table.program, table.trace, id);
+    std::vector<std::string> cells = column_of(table.program, trace, id);
     const std::size_t width = width_of(cells);
     columns.push_back({std::move(cells), width});
   }

@@ -13,7 +13,8 @@ namespace rung {
 /// "100 ms", "60.0 s", "1.25 s", "2 h 05 min": as short as it is exact.
 std::string duration(std::int64_t milliseconds);
 
-/// A run as a table: a line a step, a column a signal. A value that is not
+/// A run as a table: a line a step, a column a signal. Steps between which no
+/// signal of the table changes are one line. A value that is not
 /// what it was a line before has a star:
 ///
 ///      scan    time |  I0  I1  Q0

@@ -16,18 +16,27 @@
 namespace rung {
 namespace {
 
-/// The inputs of a product by their names in the first program, or in the
-/// second when only that has them.
+enum class Side : std::uint8_t { First, Second };
+
+/// The name that an input has in this program, or in the other one when only
+/// that has it.
+std::string_view name_of(const SignalPair& pair, const Program& a,
+                         const Program& b, Side side) {
+  const bool first =
+      pair.a.has_value() && (side == Side::First || !pair.b.has_value());
+  return first ? a.cells[pair.a].name : b.cells[pair.b].name;
+}
+
+/// The inputs of a product as one of its programs calls them.
 class InputNames : public NameResolver {
  public:
   InputNames(const Program& a, const Program& b, const SharedSignals& shared,
-             const TransitionSystem& ts) {
+             const TransitionSystem& ts, Side side) {
     for (const VarId id : ids_of(ts.vars)) {
       const Variable& variable = ts.vars[id];
       if (variable.role != VarRole::Input) continue;
       const SignalPair& pair = shared.inputs[variable.cell.index()];
-      const Cell& cell = pair.a.has_value() ? a.cells[pair.a] : b.cells[pair.b];
-      terms_.emplace(cell.name, variable.expr);
+      terms_.emplace(name_of(pair, a, b, side), variable.expr);
     }
   }
   ExprId resolve(std::string_view name) override {
@@ -52,7 +61,10 @@ class EquivalenceCheck {
   EquivalenceResult run() {
     result_.error = shared_.error;
     for (const std::string& text : options_.assumptions) {
-      if (result_.error.empty()) check_assumption(text);
+      if (result_.error.empty()) check_assumption(text, Side::First);
+    }
+    for (const std::string& text : options_.assumptions_b) {
+      if (result_.error.empty()) check_assumption(text, Side::Second);
     }
     if (!result_.error.empty()) return std::move(result_);
     for (const SignalPair& pair : shared_.outputs) {
@@ -118,13 +130,21 @@ class EquivalenceCheck {
 
   Product product(const std::vector<StatePair>& merged) const {
     Product made = make_product(ts_a_, ts_b_, shared_, merged);
-    InputNames names(a_, b_, shared_, made.ts);
-    for (const std::string& text : options_.assumptions) {
-      const Formula formula = parse_formula(text);
-      made.ts.constraints.push_back(
-          compile_formula(made.ts.exprs, formula, names));
-    }
+    assume(made.ts, options_.assumptions, Side::First);
+    assume(made.ts, options_.assumptions_b, Side::Second);
     return made;
+  }
+
+  void assume(TransitionSystem& ts, const std::vector<std::string>& texts,
+              Side side) const {
+    InputNames names(a_, b_, shared_, ts, side);
+    for (const std::string& text : texts) {
+      const Formula formula = parse_formula(text);
+      const ExprId term = compile_formula(ts.exprs, formula, names);
+      std::vector<ExprId>& all = ts.constraints;  // both may say the same
+      const bool known = std::find(all.begin(), all.end(), term) != all.end();
+      if (!known) all.push_back(term);
+    }
   }
 
   void decide_product() {
@@ -154,7 +174,7 @@ class EquivalenceCheck {
     decide_rest(whole, merged, invariant);
   }
 
-  void check_assumption(const std::string& text) {
+  void check_assumption(const std::string& text, Side side) {
     const Formula formula = parse_formula(text);
     if (!formula.has_value()) {
       result_.error = "the assumption `" + text + "` is no formula";
@@ -162,8 +182,7 @@ class EquivalenceCheck {
     }
     std::unordered_set<std::string_view> names;
     for (const SignalPair& pair : shared_.inputs) {
-      names.insert(pair.a.has_value() ? a_.cells[pair.a].name
-                                      : b_.cells[pair.b].name);
+      names.insert(name_of(pair, a_, b_, side));
     }
     for (const FormulaNode& node : formula.nodes) {
       if (node.op == FormulaOp::Call ||
@@ -331,6 +350,7 @@ class EquivalenceCheck {
     result_.verdict = EquivalenceVerdict::Different;
     result_.engine = target.engine;
     result_.differs = std::move(run.output);
+    split_where_cells_change(a_, b_, run);
     result_.trace_a = simulate(a_, run.stimulus_a);
     result_.trace_b = simulate(b_, run.stimulus_b);
     result_.stimulus_a = std::move(run.stimulus_a);

@@ -23,7 +23,8 @@ struct EquivalenceOptions {
   bool self_check = true;
   /// Signal of the first program, signal of the second.
   std::vector<std::pair<std::string, std::string>> map;
-  std::vector<std::string> assumptions;  // formulas over inputs, checked
+  std::vector<std::string> assumptions;    // over the first's inputs, checked
+  std::vector<std::string> assumptions_b;  // the same, over the second's
   std::string recheck;           // "cvc5": re-check with that binary as well
   std::string smtlib_directory;  // write the certificate there; empty: nowhere
 };
@@ -49,7 +50,7 @@ struct EquivalenceResult {
 ///
 /// Equal structure decides first, without a solver (smt/correspondence.h);
 /// then registers that stay equal, and the engines on what is left.
-/// Assumptions are over the names of the first program's inputs.
+/// Only runs that the assumptions of both allow are compared.
 EquivalenceResult check_equivalence(const Program& a, const Program& b,
                                     const EquivalenceOptions& options);
 

@@ -1,7 +1,9 @@
 #include "smt/lockstep.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <utility>
+#include <vector>
 
 #include "analysis/simulator.h"
 
@@ -45,6 +47,25 @@ class Side {
   std::vector<std::int64_t> values_;
 };
 
+/// Steps end where scans of `ends` do (ascending) and where they did.
+void split(Stimulus& stimulus, const std::vector<std::uint64_t>& ends) {
+  std::vector<StimulusStep> steps;
+  std::uint64_t scan = 0;
+  auto end = ends.begin();
+  for (StimulusStep& step : stimulus.steps) {
+    const std::uint64_t last = scan + step.repeat;
+    while (scan < last) {
+      end = std::upper_bound(end, ends.end(), scan);
+      const std::uint64_t until =
+          end == ends.end() ? last : std::min(last, *end);
+      step.repeat = until - scan;
+      steps.push_back(step);
+      scan = until;
+    }
+  }
+  stimulus.steps = std::move(steps);
+}
+
 }  // namespace
 
 LockStep run_lockstep(const Program& a, const Program& b,
@@ -79,6 +100,18 @@ LockStep run_lockstep(const Program& a, const Program& b,
   result.stimulus_a = first.take();
   result.stimulus_b = second.take();
   return result;
+}
+
+void split_where_cells_change(const Program& a, const Program& b,
+                              LockStep& run) {
+  std::vector<std::uint64_t> ends;
+  for (const Trace& trace : {simulate_changes(a, run.stimulus_a),
+                             simulate_changes(b, run.stimulus_b)}) {
+    for (const Trace::Step& step : trace.steps) ends.push_back(step.scan);
+  }
+  std::sort(ends.begin(), ends.end());
+  split(run.stimulus_a, ends);
+  split(run.stimulus_b, ends);
 }
 
 }  // namespace rung

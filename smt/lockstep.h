@@ -20,4 +20,9 @@ struct LockStep {
 LockStep run_lockstep(const Program& a, const Program& b,
                       const SharedSignals& shared, const Stimulus& stimulus);
 
+/// Makes steps of both in which no cell of either program changes, as far as
+/// simulate_changes() does.
+void split_where_cells_change(const Program& a, const Program& b,
+                              LockStep& run);
+
 }  // namespace rung

@@ -244,7 +244,7 @@ void Verdicts::replay_into(const Target& target, ObligationResult& result) {
   const Obligation& obligation = result.obligation;
   const bool keeps_trace = shows_run(obligation);
   if (!options_.self_check) {
-    if (keeps_trace) result.trace = simulate(program_, stimulus);
+    if (keeps_trace) result.trace = simulate_changes(program_, stimulus);
     return;
   }
   Replay replayed = replay(program_, properties_, obligation.property,
@@ -269,7 +269,7 @@ void Verdicts::replay_into(const Target& target, ObligationResult& result) {
                       obligation.part, stimulus);
     result.scans = replayed.decided_at;
   }
-  if (keeps_trace) result.trace = std::move(replayed.trace);
+  if (keeps_trace) result.trace = simulate_changes(program_, stimulus);
 }
 
 /// Why a run that only the encoding has says nothing; empty: it should not

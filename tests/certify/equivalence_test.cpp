@@ -166,6 +166,24 @@ TEST(EquivalenceOf, AssumptionsRestrictTheInputs) {
   EXPECT_EQ(compare(a->program, c->program, options).verdict, Verdict::Unknown);
 }
 
+TEST(EquivalenceOf, AssumptionsOfBothRestrictTheInputs) {
+  const auto a = read("Q0 = I0 || I1 || I2;", "sim");
+  const auto b = read("Q0 = I7 && !I1 || !I7 && I1;", "sim");
+  EquivalenceOptions options;
+  options.map = {{"I0", "I7"}};
+  options.assumptions = {"!I2"};
+  EXPECT_EQ(compare(a->program, b->program, options).verdict,
+            Verdict::Different);
+  options.assumptions_b = {"!(I7 && I1)"};
+  EXPECT_EQ(compare(a->program, b->program, options).verdict,
+            Verdict::Equivalent);
+  options.assumptions = {};
+  EXPECT_EQ(compare(a->program, b->program, options).verdict,
+            Verdict::Different);
+  options.assumptions_b = {"!(I0 && I1)"};  // I0 is what the first calls it
+  EXPECT_NE(compare(a->program, b->program, options).error, "");
+}
+
 TEST(EquivalenceOf, OutputsOfOneSideAreSaid) {
   const auto a = read("Q0 = I0; Q1 = I0;", "sim");
   const auto b = read("Q0 = I0; Q2 = I0;", "sim");

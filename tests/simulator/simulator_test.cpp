@@ -319,6 +319,32 @@ TEST(Simulate, ACounterThatCountsIsNotIdle) {
   EXPECT_EQ(trace.steps[1].values[q.index()], 1);
 }
 
+TEST(SimulateChanges, NoValueIsHiddenBetweenTwoSteps) {
+  ProgramMaker maker;
+  const CellId i0 = maker.input("I0");
+  const CellId q0 = maker.output("Q0");
+  const std::uint32_t before = maker.read(q0);
+  maker.node(NodeOp::Xor, before, maker.read(i0));
+  maker.rung(q0);
+  const Stimulus stimulus = {{i0}, {{10, 5, {0}}, {10, 2, {1}}, {7, 99, {1}}}};
+  const Trace merged = simulate(maker.program(), stimulus);
+  ASSERT_EQ(merged.steps.size(), 3U);
+  EXPECT_FALSE(merged.steps[0].changes);
+  EXPECT_TRUE(merged.steps[1].changes);
+  const Trace trace = simulate_changes(maker.program(), stimulus);
+  ASSERT_EQ(trace.steps.size(), 3U + 64U);
+  EXPECT_EQ(trace.steps[0].repeat, 5U);
+  EXPECT_EQ(trace.steps[1].scan, 6U);
+  EXPECT_EQ(trace.steps[1].values[q0.index()], 1);
+  EXPECT_EQ(trace.steps[2].scan, 7U);
+  EXPECT_EQ(trace.steps[2].values[q0.index()], 0);
+  EXPECT_FALSE(trace.steps[65].changes);
+  EXPECT_TRUE(trace.steps[66].changes);  // the rest, in one
+  EXPECT_EQ(trace.steps[66].scan, 106U);
+  EXPECT_EQ(trace.steps[66].repeat, 36U);
+  EXPECT_EQ(trace.steps[66].values, merged.steps[2].values);
+}
+
 TEST(Simulate, StepsOfNoScansDoNothing) {
   ProgramMaker maker;
   const CellId in = maker.input("in");
