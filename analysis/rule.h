@@ -85,7 +85,7 @@ const Rule* find_rule(std::string_view code_or_name);
 struct RuleBudget {
   /// Terms of the transition system; in a larger one nothing is asked, and
   /// what only a solver can tell stays open.
-  std::size_t largest_system = 300'000;
+  std::size_t largest_system = 120'000;
   std::size_t proof_questions = 4096;        // in all, after sampling
   std::size_t witness_questions = 64;        // in all
   std::uint64_t sampling_work = 40'000'000;  // term evaluations, about
@@ -96,6 +96,7 @@ struct RuleSummary {
   std::size_t asked = 0;      // questions
   std::size_t sampled = 0;    // answered no by a sampled run
   std::size_t undecided = 0;  // left without an answer: nothing is claimed
+  bool too_large = false;     // the program: no question was asked
 };
 
 /// Runs every rule. First each check, which may ask questions; then all

@@ -55,9 +55,17 @@ void lint(const SourceSet& sources, const Program& program, FileReport& report,
       std::min(oracle_options.seconds, verify_options.budget.seconds);
   SolverOracle oracle(program, ts, oracle_options);
   DiagnosticList found;
-  run_rules({sources, program, report.properties, ts, &oracle}, found);
+  const RuleSummary summary =
+      run_rules({sources, program, report.properties, ts, &oracle}, found);
   report.findings = found.take();
-  sort_diagnostics(report.findings);
+  if (summary.undecided > 0) {
+    report.notes.push_back(fmt::format(
+        "{} of the {} questions of the solver-decided rules are left open, and "
+        "nothing is claimed there: {}",
+        summary.undecided, summary.asked,
+        summary.too_large ? "the program is too large to ask them"
+                          : "what lint spends on a program did not suffice"));
+  }
 }
 
 void prove(const Program& program, FileReport& report, const Options& options,

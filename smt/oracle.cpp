@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "analysis/simulator.h"
+#include "smt/induction.h"
 #include "smt/interpret.h"
 #include "smt/partition.h"
 #include "smt/portfolio.h"
@@ -15,6 +16,14 @@ namespace rung {
 namespace {
 
 using Status = Target::Status;
+
+std::vector<Target*> open_ones(const std::vector<Target*>& targets) {
+  std::vector<Target*> open;
+  for (Target* target : targets) {
+    if (target->status == Status::Open) open.push_back(target);
+  }
+  return open;
+}
 
 bool asks_for_runs(const std::vector<Target*>& targets) {
   return std::any_of(targets.begin(), targets.end(), [](const Target* target) {
@@ -38,6 +47,68 @@ bool touches(const TransitionSystem& ts, ExprId root,
     }
   }
   return false;
+}
+
+/// What a step costs, in eighths of a microsecond on the machine where it was
+/// measured; per term, and for each target where the name says no more.
+struct Cost {
+  static constexpr std::uint64_t kEncode = 16;         // once
+  static constexpr std::uint64_t kRuns = 800;          // once, all random runs
+  static constexpr std::uint64_t kMostRuns = 250'000;  // and not per term
+  static constexpr std::uint64_t kSketch = 12;
+};
+
+/// Targets that share state, and how many terms they depend on.
+struct Part {
+  std::vector<Target*> members;
+  std::size_t terms = 0;
+};
+
+/// Terms under the targets of a part and the next values of its states that
+/// are not yet in `seen`. Parts share inputs only, so all of them take time
+/// linear in the system.
+std::size_t count_terms(const TransitionSystem& ts,
+                        const std::vector<Target*>& part,
+                        std::vector<bool>& seen) {
+  std::size_t count = 1;
+  std::vector<ExprId> stack;
+  for (const Target* target : part) stack.push_back(target->term);
+  while (!stack.empty()) {
+    const ExprId id = stack.back();
+    stack.pop_back();
+    if (seen[id.index()]) continue;
+    seen[id.index()] = true;
+    ++count;
+    const Expr& e = ts.exprs[id];
+    for (const ExprId operand : {e.a, e.b, e.c}) {
+      if (operand.has_value()) stack.push_back(operand);
+    }
+    if (e.op == ExprOp::Variable && ts.vars[e.var].role == VarRole::State) {
+      stack.push_back(ts.states[ts.vars[e.var].state].next);
+    }
+  }
+  return count;
+}
+
+/// Smallest first.
+std::vector<Part> parts_of(const TransitionSystem& ts,
+                           std::vector<Target>& targets) {
+  std::vector<ExprId> roots;
+  roots.reserve(targets.size());
+  for (const Target& target : targets) roots.push_back(target.term);
+  std::vector<bool> seen(ts.exprs.size());
+  std::vector<Part> parts;
+  for (const std::vector<std::size_t>& group : partition(ts, roots)) {
+    Part part;
+    part.members.reserve(group.size());
+    for (const std::size_t i : group) part.members.push_back(&targets[i]);
+    part.terms = count_terms(ts, part.members, seen);
+    parts.push_back(std::move(part));
+  }
+  std::stable_sort(
+      parts.begin(), parts.end(),
+      [](const Part& a, const Part& b) { return a.terms < b.terms; });
+  return parts;
 }
 
 /// Executes the terms on a stimulus; did the constraints hold in every scan?
@@ -71,7 +142,8 @@ SolverOracle::SolverOracle(const Program& program, TransitionSystem& ts,
     : program_(program),
       ts_(ts),
       options_(options),
-      deadline_(options.seconds) {}
+      deadline_(options.seconds),
+      effort_(options.effort) {}
 
 std::vector<Oracle::Evidence> SolverOracle::answer(
     const std::vector<Question>& questions) {
@@ -97,14 +169,8 @@ std::vector<Oracle::Evidence> SolverOracle::answer(
     ask(question.condition, Target::Purpose::Violation,
         !question.wants_witness);
   }
-  std::vector<ExprId> roots;
-  roots.reserve(targets.size());
-  for (const Target& target : targets) roots.push_back(target.term);
-  for (const std::vector<std::size_t>& group : partition(ts_, roots)) {
-    std::vector<Target*> members;
-    members.reserve(group.size());
-    for (const std::size_t i : group) members.push_back(&targets[i]);
-    decide(members);
+  for (const Part& part : parts_of(ts_, targets)) {
+    decide(part.members, part.terms);
   }
   std::vector<Evidence> answers;
   answers.reserve(questions.size());
@@ -129,7 +195,55 @@ Oracle::Evidence SolverOracle::evidence(
   return evidence;
 }
 
-void SolverOracle::decide(const std::vector<Target*>& targets) {
+/// Takes the first of the wanted targets that half of the effort pays for.
+std::vector<Target*> SolverOracle::afford(std::vector<Target*> wanted,
+                                          std::uint64_t fixed,
+                                          std::uint64_t each) {
+  fixed += ts_.exprs.size() / 16;  // tables over all terms
+  const std::uint64_t limit = effort_ / 2;
+  const std::uint64_t most = limit < fixed ? 0 : (limit - fixed) / each;
+  if (wanted.size() > most) wanted.resize(most);
+  if (!wanted.empty()) effort_ -= fixed + each * wanted.size();
+  return wanted;
+}
+
+void SolverOracle::decide(const std::vector<Target*>& part,
+                          std::uint64_t terms) {
+  induct(afford(open_ones(part), terms * Cost::kEncode, terms));
+  const std::uint64_t runs = std::min(terms * Cost::kRuns, Cost::kMostRuns);
+  sketch(afford(open_ones(part), terms * Cost::kEncode + runs,
+                terms * Cost::kSketch));
+}
+
+/// One joint induction: most of what is true follows from the scan before.
+void SolverOracle::induct(const std::vector<Target*>& open) {
+  constexpr std::uint32_t kScans = 1;
+  if (!asks_for_runs(open) || deadline_.passed()) return;
+  std::vector<ExprId> terms;
+  for (const Target* target : open) terms.push_back(target->term);
+  Cone cone(ts_, terms);
+  if (cone.circuit().overflow()) return;
+  Candidates candidates;
+  for (const AigLit root : cone.roots()) {
+    candidates.conditions.push_back(aig_not(root));
+  }
+  if (!prove_by_induction(cone, {}, kScans, candidates, {2000, 500},
+                          deadline_)) {
+    return;
+  }
+  Invariant invariant;
+  invariant.k = kScans;
+  for (std::size_t i = 0; i < open.size(); ++i) {
+    if (!candidates.condition_holds[i]) continue;
+    open[i]->status = Status::Unreachable;
+    open[i]->engine = "induction k=1";
+    open[i]->k = kScans;
+    invariant.conditions.push_back(open[i]->never);
+  }
+  confirm(open, invariant);
+}
+
+void SolverOracle::sketch(const std::vector<Target*>& targets) {
   if (!asks_for_runs(targets) || deadline_.passed()) return;
   Portfolio portfolio(ts_, growth_, targets,
                       {{}, options_.max_depth, &deadline_});

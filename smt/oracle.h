@@ -10,8 +10,12 @@
 namespace rung {
 
 struct OracleOptions {
-  double seconds = 10;          // outer limit, all questions together
+  /// What all questions together may cost: about the terms of a question times
+  /// the questions asked about them, see Cost in oracle.cpp. The smallest parts
+  /// of the program come first, and no step takes more than half of the rest.
+  std::uint64_t effort = 1'200'000;
   std::uint32_t max_depth = 8;  // jump steps of the search for witnesses
+  double seconds = 20;          // a safety net: the effort decides
   bool self_check = true;       // replay witnesses, re-check proofs
 };
 
@@ -31,7 +35,11 @@ class SolverOracle : public Oracle {
   std::vector<Evidence> answer(const std::vector<Question>& questions) override;
 
  private:
-  void decide(const std::vector<Target*>& targets);
+  std::vector<Target*> afford(std::vector<Target*> wanted, std::uint64_t fixed,
+                              std::uint64_t each);
+  void decide(const std::vector<Target*>& part, std::uint64_t terms);
+  void induct(const std::vector<Target*>& targets);
+  void sketch(const std::vector<Target*>& targets);
   void confirm(const std::vector<Target*>& targets, const Invariant& invariant);
   Evidence evidence(const Target& target,
                     const std::vector<Target>& targets) const;
@@ -43,6 +51,7 @@ class SolverOracle : public Oracle {
   TransitionSystem& ts_;
   OracleOptions options_;
   Deadline deadline_;
+  std::uint64_t effort_;  // left
   std::vector<ExprId> growth_;
   CertificateSession session_;
 };

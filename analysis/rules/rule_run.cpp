@@ -27,6 +27,7 @@ RuleRun::RuleRun(const RuleContext& context, DiagnosticSink& sink,
       index(context.program, context.properties),
       latches(find_latches(context.program, index)),
       has_oracle(oracle_of(context, budget) != nullptr),
+      too_large_(ts.exprs.size() > budget.largest_system),
       sink_(sink),
       oracle_(oracle_of(context, budget)),
       budget_(budget),
@@ -132,6 +133,7 @@ void RuleRun::ask_oracle(std::vector<Evidence>& answers) const {
 }
 
 RuleSummary RuleRun::decide() {
+  summary_.too_large = too_large_;
   std::vector<Evidence> answers(conditions_.size());
   for (std::size_t i = 0; i < conditions_.size(); ++i) {
     if (ts.exprs.is_true(conditions_[i])) {
