@@ -11,16 +11,17 @@ all: $(RUNGPROOF)
 $(RUNGPROOF):
 	scripts/deps
 	cmake --preset release
-	cmake --build --preset release
+	cmake --build --preset release --target rungproof
 
 demo: all
 	scripts/demo $(RUNGPROOF)
 
 test: all
+	cmake --build --preset release
 	ctest --preset release
 
 install: all
-	cmake --install build/release
+	cmake --install build/release $(if $(PREFIX),--prefix $(PREFIX))
 
 deb: all
 	cd build/release && cpack -G DEB

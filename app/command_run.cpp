@@ -113,8 +113,10 @@ int run_simulation(const Options& options) {
         write_file(options.output, write_vcd(program, recording));
     if (error) return output_error(options.output, *error);
   }
+  const bool inputs_rest =
+      options.stimulus.empty() && !stimulus->inputs.empty();
   return emit(RunReport{loaded.report.path, kVersion, program,
-                        changes_of(*stimulus, recording)},
+                        changes_of(*stimulus, recording), inputs_rest},
               options);
 }
 

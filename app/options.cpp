@@ -6,7 +6,9 @@
 #include <algorithm>
 #include <charconv>
 #include <cstdio>
+#include <filesystem>
 #include <string_view>
+#include <system_error>
 
 #include "app/version.h"
 #include "base/text.h"
@@ -236,14 +238,22 @@ void add_commands(CLI::App& app, RawOptions& raw, Options& options) {
 constexpr std::string_view kCommandNames[] = {
     "check", "lint", "prove", "equiv", "lower", "run", "render", "rule"};
 
-/// CLI11 would say that a command is missing, not that it does not know it.
+/// CLI11 would say that a command is missing, and not which ones there are.
 std::optional<std::string> unknown_command(int argc, char** argv) {
-  if (argc < 2 || argv[1][0] == '-') return std::nullopt;
+  if (argc < 2) {
+    return fmt::format("a command is missing: {}",
+                       fmt::join(kCommandNames, ", "));
+  }
+  if (argv[1][0] == '-') return std::nullopt;
   const std::string_view wanted = argv[1];
   const std::vector<std::string_view> known(std::begin(kCommandNames),
                                             std::end(kCommandNames));
   if (std::find(known.begin(), known.end(), wanted) != known.end()) {
     return std::nullopt;
+  }
+  std::error_code ignored;
+  if (std::filesystem::exists(wanted, ignored)) {
+    return fmt::format("`{0}` is a file: rungproof check {0}", wanted);
   }
   return fmt::format("there is no command `{}`{}", wanted,
                      did_you_mean(wanted, known));
@@ -266,7 +276,7 @@ int usage_error(const std::string& message) {
 
 std::variant<Options, int> parse_options(int argc, char** argv) {
   if (const auto error = unknown_command(argc, argv)) {
-    return usage_error(*error);
+    return usage_error(*error + "\nRun with --help for more information.");
   }
   Options options;
   RawOptions raw;

@@ -24,6 +24,15 @@ write_basic_package_version_file(
 install(FILES ${PROJECT_BINARY_DIR}/rungproof-config.cmake
               ${PROJECT_BINARY_DIR}/rungproof-config-version.cmake
   DESTINATION ${cmake_dir})
+install(FILES ${PROJECT_SOURCE_DIR}/docs/rungproof.1
+  DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
+set(completions ${PROJECT_SOURCE_DIR}/app/completions)
+install(FILES ${completions}/rungproof.bash RENAME rungproof
+  DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions)
+install(FILES ${completions}/_rungproof
+  DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/vendor-completions)
+install(FILES ${completions}/rungproof.fish
+  DESTINATION ${CMAKE_INSTALL_DATADIR}/fish/vendor_completions.d)
 install(FILES ${PROJECT_SOURCE_DIR}/LICENSE
   DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/rungproof RENAME copyright)
 

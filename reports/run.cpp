@@ -112,6 +112,9 @@ std::string write_text(const RunReport& report, const TextOptions& options) {
   out += fmt::format("ran {}: {} of {}\n", printable(report.path),
                      quantity(scans, "scan"),
                      quantity(report.program.rungs.size(), "rung"));
+  if (report.inputs_rest) {
+    out += "note: no input changes: --stimulus FILE.csv says what they do\n";
+  }
   return out;
 }
 

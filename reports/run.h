@@ -16,6 +16,7 @@ struct RunReport {
   std::string_view version;
   const Program& program;
   Trace trace;
+  bool inputs_rest = false;  // no stimulus: no input changes
 };
 
 /// The run with a step for each scan in which something changed, and one for

@@ -1,0 +1,47 @@
+# bash completion of rungproof; tests/app/manual_test.cpp compares it with the
+# options that the program has.
+
+_rungproof() {
+  local current=${COMP_WORDS[COMP_CWORD]} previous=${COMP_WORDS[COMP_CWORD-1]}
+  local commands="check lint prove equiv lower run render rule"
+  local common="--help --version --format --scan --semantics --dialect
+    --language --props --timeout --engine --jobs --fail-on --color --quiet
+    --verbose --property --self-check --recheck --certificates --map"
+  local command= word
+  for word in "${COMP_WORDS[@]:1:COMP_CWORD-1}"; do
+    [[ " $commands " == *" $word "* ]] && { command=$word; break; }
+  done
+  COMPREPLY=()
+  case $previous in
+    --format)
+      local formats="text json jsonl sarif junit github"
+      [[ $command == render ]] && formats="text svg"
+      COMPREPLY=($(compgen -W "$formats" -- "$current")) ;;
+    --semantics|--dialect) COMPREPLY=($(compgen -W "yun sim" -- "$current")) ;;
+    --language) COMPREPLY=($(compgen -W "script postfix" -- "$current")) ;;
+    --engine)
+      COMPREPLY=($(compgen -W "bmc induction pdr simulation" -- "$current")) ;;
+    --fail-on)
+      COMPREPLY=($(compgen -W "note warning error" -- "$current")) ;;
+    --color) COMPREPLY=($(compgen -W "auto always never" -- "$current")) ;;
+    --self-check) COMPREPLY=($(compgen -W "on off" -- "$current")) ;;
+    --recheck) COMPREPLY=($(compgen -W "cvc5" -- "$current")) ;;
+    --to) COMPREPLY=($(compgen -W "postfix" -- "$current")) ;;
+    --certificates) COMPREPLY=($(compgen -d -- "$current")) ;;
+    --scan|--timeout|--jobs|--property|--map|--scans|--dt) ;;
+    *)
+      if [[ $previous != --props && $current == -* ]]; then
+        case $command in
+          lower) common+=" --to --output --binary" ;;
+          run) common+=" --stimulus --scans --dt --out" ;;
+          render) common+=" --ascii" ;;
+        esac
+        COMPREPLY=($(compgen -W "$common" -- "$current"))
+      elif [[ -z $command && $previous != --props ]]; then
+        COMPREPLY=($(compgen -W "$commands" -- "$current"))
+      else
+        COMPREPLY=($(compgen -f -- "$current"))
+      fi ;;
+  esac
+}
+complete -o filenames -F _rungproof rungproof
