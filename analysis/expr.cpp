@@ -70,8 +70,10 @@ ExprId ExprArena::intern(Expr expr) {
   return ExprId(static_cast<std::uint32_t>(exprs_.size() - 1));
 }
 
+/// By a factor of four: every growth reads all terms again.
 void ExprArena::grow() {
-  table_.assign(table_.size() * 2, 0);
+  table_.assign(table_.size() * 4, 0);
+  exprs_.reserve(table_.size() / 2);
   const std::uint64_t mask = table_.size() - 1;
   for (std::size_t i = 0; i < exprs_.size(); ++i) {
     std::uint64_t slot = hash_of(exprs_[i]) & mask;

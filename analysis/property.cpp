@@ -32,7 +32,10 @@ class PropertyReader {
     // Declarations first: the types and roles of all other lines rest on them.
     for (const Statement& statement : statements_) declare(statement);
     for (const Statement& statement : statements_) add(statement);
-    for (Property& property : builtin_properties(program_, sources_)) {
+    std::vector<Property> built_in = builtin_properties(program_, sources_);
+    set_.properties.reserve(set_.properties.size() + built_in.size());
+    names_taken_.reserve(names_taken_.size() + built_in.size());
+    for (Property& property : built_in) {
       take_names(property);
       set_.properties.push_back(std::move(property));
     }
@@ -51,6 +54,7 @@ class PropertyReader {
   }
 
   void parse(const std::vector<AstAnnotation>& annotations) {
+    statements_.reserve(statements_.size() + annotations.size());
     for (const AstAnnotation& annotation : annotations) {
       auto statement =
           parse_statement({annotation.text, annotation.where}, sink_);
@@ -202,21 +206,23 @@ class PropertyReader {
 
   /// The names of all obligations of `property`; each only once.
   void take_names(const Property& property) {
-    std::vector<std::string> names = {property.name};
-    if (property.form == Property::Form::Latch) {
-      for (const std::string_view part : kLatchParts) {
-        names.push_back(property.name + "." + std::string(part));
-      }
-    }
-    for (std::string& taken : names) {
-      const auto [entry, is_new] =
-          names_taken_.emplace(std::move(taken), property.where);
-      if (is_new) continue;
-      fail("RP066", property.where,
-           "a second property is called `" + entry->first + "`",
-           {{entry->second, "the first one"}});
+    if (!take_name(property, property.name) ||
+        property.form != Property::Form::Latch) {
       return;
     }
+    for (const std::string_view part : kLatchParts) {
+      if (!take_name(property, property.name + "." + std::string(part))) return;
+    }
+  }
+
+  bool take_name(const Property& property, std::string name) {
+    const auto [entry, is_new] =
+        names_taken_.emplace(std::move(name), property.where);
+    if (is_new) return true;
+    fail("RP066", property.where,
+         "a second property is called `" + entry->first + "`",
+         {{entry->second, "the first one"}});
+    return false;
   }
 
   void expect(const Statement& statement) {

@@ -43,6 +43,8 @@ bool is_comparison(FormulaOp op) {
 }  // namespace
 
 PropertyNames::PropertyNames(const Program& program) : program_(program) {
+  cells_.reserve(program.cells.size());
+  instances_.reserve(program.instances.size());
   for (const CellId id : ids_of(program.cells)) {
     cells_.emplace(program.cells[id].name, id);
   }

@@ -136,7 +136,8 @@ std::vector<AstAnnotation> property_lines(const SourceSet& sources,
   std::vector<AstAnnotation> lines;
   const std::string_view text = sources[file].text();
   for (std::size_t at = 0; at < text.size();) {
-    const std::size_t end = std::min(text.find('\n', at), text.size());
+    const std::size_t end =
+        std::min(text.find_first_of("\r\n", at), text.size());
     const std::size_t begin =
         std::min(text.find_first_not_of(kBlanks, at), end);
     std::string_view line = text.substr(begin, end - begin);

@@ -15,10 +15,12 @@ SourceRange cover(const SourceRange& first, const SourceRange& last) {
 SourceFile::SourceFile(std::string path, std::string text)
     : path_(std::move(path)), text_(std::move(text)) {
   line_starts_.push_back(0);
+  // A line ends with \n, \r\n or, as for Javascript, with \r alone.
   for (std::size_t i = 0; i < text_.size(); ++i) {
-    if (text_[i] == '\n') {
-      line_starts_.push_back(static_cast<std::uint32_t>(i + 1));
-    }
+    const char c = text_[i];
+    if (c != '\n' && c != '\r') continue;
+    if (c == '\r' && text_.compare(i, 2, "\r\n") == 0) continue;
+    line_starts_.push_back(static_cast<std::uint32_t>(i + 1));
   }
 }
 

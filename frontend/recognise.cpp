@@ -20,7 +20,7 @@ std::string_view trimmed(std::string_view text) {
 template <class Visit>
 bool any_line(std::string_view text, Visit visit) {
   for (std::size_t at = 0; at < text.size();) {
-    std::size_t end = text.find('\n', at);
+    std::size_t end = text.find_first_of("\r\n", at);
     if (end == std::string_view::npos) end = text.size();
     if (visit(trimmed(text.substr(at, end - at)))) return true;
     at = end + 1;

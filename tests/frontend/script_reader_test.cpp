@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "dump.h"
+#include "frontend/script/reader.h"
 #include "frontend/script/token.h"
 
 namespace rung::test {
@@ -269,6 +270,28 @@ struct Recognised {
   std::string_view dialect;
   std::string_view codes;
 };
+
+/// The reader and the file agree on where a line ends: with a lone \r too.
+TEST(ScriptReader, LineEndsAreThoseOfTheFile) {
+  SourceSet sources;
+  const FileId file =
+      sources.add("test.rung", "// a\rQ0=I0\r\n\r\rQ1=I1\nQ2=I2\r");
+  DiagnosticList sink;
+  const Ast ast = read_script(sources, file, "sim", sink);
+  ASSERT_EQ(ast.rungs.size(), 3U);
+  std::vector<std::uint32_t> lines;
+  for (const AstAssignment& rung : ast.rungs) {
+    const LineColumn at = sources[file].position(rung.where.begin);
+    EXPECT_EQ(at.column, 1U);
+    lines.push_back(at.line);
+  }
+  EXPECT_EQ(lines, (std::vector<std::uint32_t>{2, 5, 6}));
+  EXPECT_EQ(sources[file].line(1), "// a");
+  EXPECT_EQ(sources[file].line(2), "Q0=I0");
+  EXPECT_EQ(sources[file].line(3), "");
+  EXPECT_EQ(sources[file].line(6), "Q2=I2");
+  EXPECT_EQ(sources[file].line_count(), 7U);
+}
 
 TEST(ScriptReader, RecognisesTheDialect) {
   const std::vector<Recognised> table = {
