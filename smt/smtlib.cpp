@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "smt/smtlib_text.h"
+#include "smt/term_order.h"
 
 namespace rung {
 namespace {
@@ -74,35 +75,11 @@ class ScriptWriter {
 
   // --- what the certificate depends on ---------------------------------------
 
-  /// In the order of first use from the claims on, and never by id: equal
-  /// parts of a plant get equal texts.
   void find_cone() {
-    for (const ExprId root : roots_) visit(root);
-    for (std::size_t i = 0; i < states_.size(); ++i) {
-      visit(ts_.states[states_[i]].next);
-    }
-  }
-
-  void visit(ExprId root) {
-    std::vector<ExprId> stack = {root};
-    while (!stack.empty()) {
-      const ExprId id = stack.back();
-      if (index_.count(id.index()) != 0) {
-        stack.pop_back();
-        continue;
-      }
-      const std::size_t waiting = stack.size();
-      const Expr& e = expr(id);
-      for (const ExprId operand : {e.c, e.b, e.a}) {
-        if (operand.has_value() && index_.count(operand.index()) == 0) {
-          stack.push_back(operand);
-        }
-      }
-      if (stack.size() != waiting) continue;
-      stack.pop_back();
+    for (const ExprId id : terms_in_order(ts_, roots_)) {
       index_.emplace(id.index(), static_cast<std::uint32_t>(terms_.size()));
       terms_.push_back({.id = id});
-      if (e.op == ExprOp::Variable) add_variable(e.var);
+      if (expr(id).op == ExprOp::Variable) add_variable(expr(id).var);
     }
   }
 

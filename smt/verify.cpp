@@ -3,10 +3,14 @@
 #include <algorithm>
 #include <array>
 #include <chrono>
+#include <map>
+#include <set>
 #include <unordered_map>
 #include <utility>
 
+#include "smt/alike.h"
 #include "smt/certificate.h"
+#include "smt/merged_run.h"
 #include "smt/partition.h"
 #include "smt/portfolio.h"
 #include "smt/verdicts.h"
@@ -41,24 +45,44 @@ class Verifier {
         ts_(build_transition_system(program)),
         questions_(make_questions(program, properties, ts_)),
         growth_(growth_terms(ts_)),
-        verdicts_(program, properties, ts_, questions_, options) {}
+        parts_(partition(ts_, terms(questions_.targets))),
+        alike_(ts_, questions_.targets, parts_),
+        decided_(parts_.size()),
+        twin_(questions_.targets.size()),
+        rungs_(program.rungs.size()),
+        verdicts_(program, properties, ts_, questions_, options) {
+    for (std::size_t i = 0; i < parts_.size(); ++i) {
+      const std::vector<std::size_t>& model = parts_[alike_.model(i)];
+      for (std::size_t j = 0; j < model.size(); ++j) {
+        twin_[parts_[i][j]] = model[j];
+      }
+    }
+  }
 
   VerifyReport run() {
     if (!satisfiable(ts_, deadline_)) return verdicts_.no_run_at_all();
     prelude();
-    std::vector<ExprId> roots;
-    for (const Target& target : questions_.targets) {
-      roots.push_back(target.term);
+    for (std::size_t i = 0; i < parts_.size(); ++i) {
+      if (options_.progress) progress(i, parts_.size());
+      decide(i);
     }
-    const auto groups = partition(ts_, roots);
-    for (std::size_t i = 0; i < groups.size(); ++i) {
-      if (options_.progress) progress(i, groups.size());
-      decide(groups[i]);
-    }
+    if (options_.self_check) replay_found();
     return verdicts_.report();
   }
 
  private:
+  struct Decided {  // a part
+    Invariant invariant;
+    bool overflow = false;
+  };
+
+  static std::vector<ExprId> terms(const std::vector<Target>& targets) {
+    std::vector<ExprId> result;
+    result.reserve(targets.size());
+    for (const Target& target : targets) result.push_back(target.term);
+    return result;
+  }
+
   void progress(std::size_t done, std::size_t all) {
     options_.progress("proving: part " + std::to_string(done + 1) + " of " +
                       std::to_string(all));
@@ -68,10 +92,13 @@ class Verifier {
     return {options_.engine, options_.budget.max_depth, &deadline_};
   }
 
-  /// All targets at once; runs that nobody sees are taken from random ones.
+  /// All targets at once, of parts that are alike those of the first; runs
+  /// that nobody sees are taken from random ones.
   void prelude() {
     std::vector<Target*> targets;
-    for (Target& target : questions_.targets) targets.push_back(&target);
+    for (std::size_t i = 0; i < twin_.size(); ++i) {
+      if (twin_[i] == i) targets.push_back(&questions_.targets[i]);
+    }
     Portfolio all(ts_, growth_, std::move(targets), portfolio_options());
     all.prelude();
     if (all.cone().circuit().overflow()) return forget();
@@ -102,8 +129,9 @@ class Verifier {
     std::uint64_t scans = 0;
     const auto try_run = [&](Run run, const std::vector<Claim>& tried) {
       scans += scan_count(run, ts_.scan);
-      if (scans > kConfirmingScans) return;
-      verdicts_.replay_together({all.cone().inputs(), std::move(run)}, tried);
+      if (scans > confirming_scans()) return;
+      const FoundRun found = {all.cone().inputs(), std::move(run)};
+      verdicts_.replay_together(alike_.in_all(found), tried);
       for (const Claim& claim : tried) {
         Target& target = questions_.targets[verdicts_.target_of(claim)];
         if (verdicts_.is_confirmed(claim)) reached_by_chance(target);
@@ -126,8 +154,10 @@ class Verifier {
                      [&](const Claim& a, const Claim& b) {
                        return hit(a).step > hit(b).step;
                      });
+    std::set<std::pair<std::uint32_t, std::uint32_t>> runs;
     for (const Claim& claim : open) {
       if (verdicts_.is_confirmed(claim)) continue;
+      if (!runs.emplace(hit(claim).step, hit(claim).lane).second) continue;
       try_run(random.run(hit(claim).step, hit(claim).lane), open);
     }
   }
@@ -139,7 +169,7 @@ class Verifier {
     std::vector<bool> claimed(questions_.targets.size(), false);
     const auto claim = [&](std::size_t target, const Claim& one) {
       if (target == Questions::kNone) return;
-      const Target& asked = questions_.targets[target];
+      const Target& asked = questions_.targets[twin_[target]];
       if (!asked.hidden || asked.hit.step == 0) return;
       if (one.trigger && claimed[target]) return;
       claimed[target] = true;
@@ -155,7 +185,7 @@ class Verifier {
   }
 
   const RandomHit& hit(const Claim& claim) const {
-    return questions_.targets[verdicts_.target_of(claim)].hit;
+    return questions_.targets[twin_[verdicts_.target_of(claim)]].hit;
   }
 
   std::uint32_t most_hits(const std::vector<Claim>& claims) const {
@@ -169,12 +199,22 @@ class Verifier {
         std::max_element(count.begin(), count.end()) - count.begin());
   }
 
-  void decide(const std::vector<std::size_t>& group) {
+  void decide(std::size_t part) {
     const auto start = std::chrono::steady_clock::now();
+    Decided as_model;
+    const bool alike = decide_like_model(part, as_model);
+    if (!alike) decide_by_engines(part);
+    const Decided& made = alike ? as_model : decided_[part];
+    const double share =
+        milliseconds_since(start) / static_cast<double>(parts_[part].size());
+    verdicts_.decided(parts_[part], made.invariant, made.overflow, share);
+  }
+
+  void decide_by_engines(std::size_t part) {
     std::vector<Target*> targets;
     bool open = false;
     Invariant invariant;
-    for (std::size_t i : group) {
+    for (std::size_t i : parts_[part]) {
       Target& target = questions_.targets[i];
       targets.push_back(&target);
       open = open || target.status == Target::Status::Open;
@@ -190,19 +230,88 @@ class Verifier {
       invariant = portfolio.invariant();
       overflow = portfolio.cone().circuit().overflow();
     }
-    const double share =
-        milliseconds_since(start) / static_cast<double>(group.size());
-    verdicts_.decided(group, invariant, overflow, share);
+    decided_[part] = {std::move(invariant), overflow};
+  }
+
+  /// False when the part is like no other, or when a run of random inputs that
+  /// its model met a target by, and that was not kept, was not one for it.
+  bool decide_like_model(std::size_t part, Decided& made) {
+    const std::size_t model = alike_.model(part);
+    if (model == part) return false;
+    for (std::size_t i : parts_[part]) {
+      const Target& from = questions_.targets[twin_[i]];
+      const bool by_chance =
+          from.status == Target::Status::Reached && from.run.steps.empty();
+      if (by_chance && questions_.targets[i].status != Target::Status::Reached)
+        return false;
+    }
+    Renaming names(ts_, alike_.terms(model), alike_.terms(part));
+    for (std::size_t i : parts_[part]) {
+      const Target& from = questions_.targets[twin_[i]];
+      Target& target = questions_.targets[i];
+      if (target.status != Target::Status::Open) continue;
+      target.status = from.status;
+      target.engine = from.engine;
+      target.k = from.k;
+      target.bound = from.bound;
+      target.run = names.run(from.run);
+    }
+    made.invariant = names.invariant(decided_[model].invariant);
+    made.overflow = decided_[model].overflow;
+    return true;
+  }
+
+  struct Bundle {  // of runs that are replayed as one
+    MergedRun run;
+    std::vector<Claim> claims;
+  };
+
+  /// Runs that engines found and that nobody sees, many at once: else the
+  /// whole plant is executed for each of its parts.
+  void replay_found() {
+    std::map<std::vector<std::int64_t>, Bundle> bundles;  // by beats_of()
+    const auto add = [&](std::size_t target, const Claim& claim) {
+      if (target == Questions::kNone) return;
+      const Target& found = questions_.targets[target];
+      if (!found.hidden || found.run.steps.empty()) return;
+      if (verdicts_.is_confirmed(claim)) return;
+      Bundle& bundle = bundles[beats_of(ts_, found.run)];
+      if (!bundle.run.add(ts_, found.run)) {
+        replay(bundle);
+        bundle = {};
+        bundle.run.add(ts_, found.run);
+      }
+      bundle.claims.push_back(claim);
+    };
+    for (std::size_t i = 0; i < questions_.obligations.size(); ++i) {
+      add(questions_.goal[i], {i, false});
+      add(questions_.trigger[i], {i, true});
+    }
+    for (const auto& [beats, bundle] : bundles) replay(bundle);
+  }
+
+  void replay(const Bundle& bundle) {
+    verdicts_.replay_together(bundle.run.run(), bundle.claims);
+  }
+
+  std::uint64_t confirming_scans() const {
+    constexpr std::uint64_t kMost = 2'000'000;
+    constexpr std::uint64_t kRungs = 200'000'000;  // executed in all
+    return std::min(kMost, kRungs / std::max<std::uint64_t>(rungs_, 1));
   }
 
   static constexpr int kConfirmingRuns = 16;  // that serve many
-  static constexpr std::uint64_t kConfirmingScans = 2'000'000;
 
   const VerifyOptions& options_;
   Deadline deadline_;
   TransitionSystem ts_;
   Questions questions_;
   std::vector<ExprId> growth_;
+  std::vector<std::vector<std::size_t>> parts_;  // of targets
+  AlikeParts alike_;
+  std::vector<Decided> decided_;   // by part; of models
+  std::vector<std::size_t> twin_;  // by target: that of the model
+  std::size_t rungs_;
   Verdicts verdicts_;
 };
 
