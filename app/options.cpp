@@ -159,7 +159,7 @@ void check_texts(const RawOptions& raw, Options& options) {
 void add_common(CLI::App& app, RawOptions& raw, Options& options) {
   app.add_option("--format", raw.formats,
                  "FMT[:FILE], repeatable: text, json, jsonl, sarif, junit, "
-                 "github")
+                 "github, html")
       ->allow_extra_args(false);
   app.add_option("--scan", raw.scan, "MIN..MAX: ms that a scan takes");
   app.add_option("--semantics", options.semantics,

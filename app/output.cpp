@@ -13,6 +13,7 @@
 #include <memory>
 
 #include "reports/github.h"
+#include "reports/html/page.h"
 #include "reports/json.h"
 #include "reports/junit.h"
 #include "reports/sarif.h"
@@ -23,8 +24,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::array<std::string_view, 6> kFormats = {
-    "text", "json", "jsonl", "sarif", "junit", "github"};
+constexpr std::array<std::string_view, 7> kFormats = {
+    "text", "json", "jsonl", "sarif", "junit", "github", "html"};
 
 TextOptions text_options(const Options& options, bool colour) {
   return {options.detail, colour};
@@ -37,6 +38,7 @@ std::string render(const Report& report, std::string_view format,
   if (format == "sarif") return write_sarif(report);
   if (format == "junit") return write_junit(report);
   if (format == "github") return write_github(report);
+  if (format == "html") return write_html(report);
   return write_text(report, text_options(options, colour));
 }
 
@@ -136,14 +138,11 @@ int output_error(const std::string& path, const std::string& why) {
 std::optional<std::string> check_formats(const Options& options) {
   int on_stdout = 0;
   for (const FormatRequest& request : options.formats) {
-    if (request.format == "html") {
-      return "--format: `html` is not supported yet";
-    }
     if (std::find(kFormats.begin(), kFormats.end(), request.format) ==
         kFormats.end()) {
       return fmt::format(
           "--format: there is no format `{}`: the names are text, json, "
-          "jsonl, sarif, junit, github",
+          "jsonl, sarif, junit, github, html",
           request.format);
     }
     if (request.path.empty()) ++on_stdout;

@@ -137,6 +137,18 @@ std::string verdict_phrase(const ObligationResult& result) {
   return out;
 }
 
+std::string why_undecided(const ObligationResult& result) {
+  const std::string phrase = verdict_phrase(result);
+  const std::size_t colon = phrase.find(": ");
+  return colon == std::string::npos ? "no reason given"
+                                    : phrase.substr(colon + 2);
+}
+
+std::string title_of(const Obligation& obligation) {
+  const bool is_named = obligation.text.starts_with(obligation.name + ":");
+  return is_named ? obligation.text : obligation.name + ": " + obligation.text;
+}
+
 std::string explain(const FileReport& file, const ObligationResult& result,
                     const Cones& cones) {
   switch (result.verdict) {

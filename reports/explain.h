@@ -21,6 +21,12 @@ const std::vector<std::string>& formulas_of(const FileReport& file,
 /// more: "bounded: no violation within 20 scans, no proof".
 std::string verdict_phrase(const ObligationResult& result);
 
+/// Why there is no verdict, or what a bounded search means.
+std::string why_undecided(const ObligationResult& result);
+
+/// `NAME: TEXT`; a line that gives the name itself is enough alone.
+std::string title_of(const Obligation& obligation);
+
 /// "12 obligations", "1 obligation".
 std::string quantity(std::size_t count, std::string_view noun);
 

@@ -43,6 +43,17 @@ void count(const Diagnostic& finding, Summary& summary) {
   }
 }
 
+void count(const FileReport& file, Summary& summary) {
+  ++summary.files;
+  if (file.program) {
+    ++summary.read;
+    summary.rungs += file.program->rungs.size();
+  }
+  for (const ObligationResult& result : file.results) count(result, summary);
+  for (const Diagnostic& finding : file.findings) count(finding, summary);
+  summary.failures += file.failures.size();
+}
+
 std::size_t findings_at_or_above(const Summary& summary, Severity severity) {
   switch (severity) {
     case Severity::Note:
@@ -59,16 +70,13 @@ std::size_t findings_at_or_above(const Summary& summary, Severity severity) {
 
 Summary summarise(const Report& report) {
   Summary summary;
-  for (const FileReport& file : report.files) {
-    ++summary.files;
-    if (file.program) {
-      ++summary.read;
-      summary.rungs += file.program->rungs.size();
-    }
-    for (const ObligationResult& result : file.results) count(result, summary);
-    for (const Diagnostic& finding : file.findings) count(finding, summary);
-    summary.failures += file.failures.size();
-  }
+  for (const FileReport& file : report.files) count(file, summary);
+  return summary;
+}
+
+Summary summarise(const FileReport& file) {
+  Summary summary;
+  count(file, summary);
   return summary;
 }
 

@@ -65,6 +65,7 @@ struct Summary {
   std::size_t failures = 0;  // self-checks
 };
 Summary summarise(const Report& report);
+Summary summarise(const FileReport& file);
 
 /// The program was not read to its end: codes RP0xx of severity error.
 bool is_input_error(const Diagnostic& diagnostic);

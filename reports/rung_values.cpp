@@ -4,7 +4,6 @@
 
 #include <algorithm>
 
-#include "analysis/simulator.h"
 #include "reports/frame.h"
 #include "reports/unicode.h"
 
@@ -104,18 +103,25 @@ void draw_line(std::string_view line, std::size_t line_begin,
 
 }  // namespace
 
+std::unique_ptr<Simulator> run_again(const Program& program,
+                                     const Trace& trace) {
+  auto simulator = std::make_unique<Simulator>(program);
+  if (!run(program, trace, *simulator)) return nullptr;
+  return simulator;
+}
+
 std::string draw_rung_values(const RungValues& values, const Painter& paint,
                              Locator& locator) {
   const Program& program = values.program;
   if (values.rungs.empty() || values.trace.steps.empty()) return {};
-  Simulator simulator(program);
-  if (!run(program, values.trace, simulator)) return {};
+  const auto simulator = run_again(program, values.trace);
+  if (!simulator) return {};
   const std::size_t count = std::min(values.rungs.size(), kMaxRungs);
   std::string out;
   for (std::size_t i = 0; i < count; ++i) {
     const Rung& rung = program.rungs[values.rungs[i]];
     const std::vector<Note> notes =
-        notes_of(program, rung, simulator, values.trace);
+        notes_of(program, rung, *simulator, values.trace);
     const SourceFile& source = values.sources[rung.where.file];
     const Place place = locator.of(rung.where);
     if (place.end.line - place.begin.line >= kMaxLines) continue;

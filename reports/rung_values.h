@@ -1,15 +1,22 @@
 #pragma once
 
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "analysis/program.h"
+#include "analysis/simulator.h"
 #include "analysis/trace.h"
 #include "base/source.h"
 #include "reports/locate.h"
 #include "reports/paint.h"
 
 namespace rung {
+
+/// A simulator that has run `trace`, for pictures of its last scan. Null when
+/// the run is too long to be executed again for that, or is none of `program`.
+std::unique_ptr<Simulator> run_again(const Program& program,
+                                     const Trace& trace);
 
 /// Rungs with the value of each operand under it, as the simulator has them in
 /// the last scan of `trace`:

@@ -36,12 +36,7 @@ Trace merged(const Trace& trace, const std::vector<CellId>& signals) {
   return result;
 }
 
-/// What stands left of the bar and right of the signals, a line a step.
-struct Line {
-  std::string scan;
-  std::string time;
-  std::string remark;
-};
+using Line = ScanGrid::Line;
 
 std::vector<Line> lines_of(const Trace& trace) {
   std::vector<Line> lines = {{"scan", "time", ""}, {"start", "", ""}};
@@ -140,11 +135,9 @@ std::string duration(std::int64_t milliseconds) {
 }
 
 std::string draw_scan_table(const ScanTable& table, const Painter& paint) {
-  const Trace trace = merged(table.trace, table.signals);
-  const std::vector<Line> lines = lines_of(trace);
+  ScanGrid grid = scan_grid(table.program, table.trace, table.signals);
   std::vector<Column> columns;
-  for (const CellId id : table.signals) {
-    std::vector<std::string> cells = column_of(table.program, trace, id);
+  for (std::vector<std::string>& cells : grid.columns) {
     const std::size_t width = width_of(cells);
     columns.push_back({std::move(cells), width});
   }
@@ -157,10 +150,21 @@ std::string draw_scan_table(const ScanTable& table, const Painter& paint) {
       width += columns[last++].width + 2;
     }
     if (first > 0) out += '\n';
-    draw_block(lines, columns, first, last, table.indent, paint, out);
+    draw_block(grid.lines, columns, first, last, table.indent, paint, out);
     first = last;
   }
   return out;
+}
+
+ScanGrid scan_grid(const Program& program, const Trace& trace,
+                   const std::vector<CellId>& signals) {
+  const Trace shown = merged(trace, signals);
+  ScanGrid grid;
+  grid.lines = lines_of(shown);
+  for (const CellId id : signals) {
+    grid.columns.push_back(column_of(program, shown, id));
+  }
+  return grid;
 }
 
 std::vector<CellId> relevant_signals(const Program& program, const Trace& trace,

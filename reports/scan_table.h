@@ -31,6 +31,23 @@ struct ScanTable {
 };
 std::string draw_scan_table(const ScanTable& table, const Painter& paint);
 
+/// The texts of a scan table, for other writers: a header, a line before the
+/// first scan, then the table's lines.
+struct ScanGrid {
+  /// What stands left of the bar and right of the signals.
+  struct Line {
+    std::string scan;
+    std::string time;
+    std::string remark;  // "x 3600 scans, 60.0 s"; mostly empty
+  };
+  std::vector<Line> lines;
+  /// A column a signal, as many texts as lines; printable. A value that is not
+  /// what it was a line before ends with a star.
+  std::vector<std::vector<std::string>> columns;
+};
+ScanGrid scan_grid(const Program& program, const Trace& trace,
+                   const std::vector<CellId>& signals);
+
 /// Those of `cone` that are worth a column: all when they are few, else
 /// `named` and those that are not 0 somewhere in the trace.
 std::vector<CellId> relevant_signals(const Program& program, const Trace& trace,

@@ -90,31 +90,16 @@ class TextWriter {
     } else if (result.verdict != Verdict::Proved) {
       out_ += place_of(result.obligation.where) +
               paint_(Ink::Warning, to_string(result.verdict)) + ": " +
-              title(result) + " (" + printable(undecided(result)) + ")\n";
+              printable(title_of(result.obligation)) + " (" +
+              printable(why_undecided(result)) + ")\n";
     } else if (detail_ == Detail::Verbose) {
       out_ += place_of(result.obligation.where) + paint_(Ink::Good, "proved") +
-              ": " + title(result);
+              ": " + printable(title_of(result.obligation));
     }
     if (detail_ == Detail::Verbose) {
       write_evidence(result);
       write_witness(file, result);
     }
-  }
-
-  /// Why there is no verdict: the reason, or what a bounded search means.
-  static std::string undecided(const ObligationResult& result) {
-    const std::string phrase = verdict_phrase(result);
-    const std::size_t colon = phrase.find(": ");
-    return colon == std::string::npos ? "no reason given"
-                                      : phrase.substr(colon + 2);
-  }
-
-  /// `NAME: TEXT`; a line that gives the name itself is enough alone.
-  static std::string title(const ObligationResult& result) {
-    const std::string& name = result.obligation.name;
-    const std::string& text = result.obligation.text;
-    if (text.starts_with(name + ":")) return printable(text);
-    return printable(name) + ": " + printable(text);
   }
 
   std::string place_of(const SourceRange& where) {
@@ -126,7 +111,7 @@ class TextWriter {
 
   void write_violation(const FileReport& file, const ObligationResult& result) {
     out_ += paint_(Ink::Error, "violated") + ": " +
-            paint_(Ink::Strong, title(result)) + "\n";
+            paint_(Ink::Strong, printable(title_of(result.obligation))) + "\n";
     if (result.obligation.where.has_value()) {
       out_ +=
           draw_frame(*report_.sources, {{result.obligation.where, {}, true}},

@@ -177,12 +177,6 @@ class RungPicture {
   std::string texts_;
 };
 
-/// The rung's text as far as it stands on its first line.
-std::string_view first_line(const SourceSet& sources, const Rung& rung) {
-  const std::string_view text = sources.text(rung.where);
-  return text.substr(0, text.find_first_of("\r\n"));
-}
-
 /// Rungs below each other.
 class Picture {
  public:
@@ -245,6 +239,11 @@ std::string draw_rung_svg(const LadderRung& rung, const RungState* state,
       "aria-label=\"{3}\">\n{4}</svg>\n",
       width, height, -kMargin, markup(label),
       RungPicture(rung, state).elements());
+}
+
+std::string_view first_line(const SourceSet& sources, const Rung& rung) {
+  const std::string_view text = sources.text(rung.where);
+  return text.substr(0, text.find_first_of("\r\n"));
 }
 
 std::string_view ladder_style() { return kStyle; }

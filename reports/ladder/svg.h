@@ -21,6 +21,9 @@ std::string draw_ladder_svg(const SourceSet& sources, const Program& program);
 std::string draw_rung_svg(const LadderRung& rung, const RungState* state,
                           std::string_view label);
 
+/// The rung's text as far as it stands on its first line; for captions.
+std::string_view first_line(const SourceSet& sources, const Rung& rung);
+
 /// The style rules of both, for a <style> element.
 std::string_view ladder_style();
 

@@ -189,7 +189,7 @@ TEST(ExitStatus, IsTheSameInEveryFormat) {
   write_text(dir / "3.rung",
              "//@ assume !I0\n//@ always I0 -> Q0\nQ0 = (I0 || Q0) && !I1;\n");
   for (const std::string format :
-       {"text", "json", "jsonl", "sarif", "junit", "github"}) {
+       {"text", "json", "jsonl", "sarif", "junit", "github", "html"}) {
     for (const std::string status : {"0", "1", "2", "3"}) {
       SCOPED_TRACE(format + " " + status);
       const std::string selection = status == "3" ? " --property always@2" : "";

@@ -12,7 +12,8 @@
 //     command lint
 //     path PATH
 //     --- source            (or `--- escaped`: \t \r \n \\ \xHH are bytes)
-//     --- text, verbose, quiet, colour, json, jsonl, sarif, junit, github
+//     --- text, verbose, quiet, colour, json, jsonl, sarif, junit, github,
+//         html (without its style)
 //
 // Traces are real runs of the program: the simulator computes their values.
 
@@ -25,10 +26,12 @@
 #include "analysis/simulator.h"
 #include "frontend/script/reader.h"
 #include "reports/github.h"
+#include "reports/html/page.h"
 #include "reports/json.h"
 #include "reports/junit.h"
 #include "reports/sarif.h"
 #include "reports/text.h"
+#include "tests/reports/page_check.h"
 #include "tests/reports/sections.h"
 
 namespace rung::test {
@@ -276,6 +279,14 @@ class Scene {
   std::string read_errors_;
 };
 
+/// The style is the same on every page: a golden file has what differs.
+std::string without_style(std::string page) {
+  const std::size_t begin = page.find("<style>");
+  const std::size_t end = page.find("</style>");
+  if (begin == std::string::npos || end == std::string::npos) return page;
+  return page.erase(begin, end + 9 - begin);
+}
+
 std::string render(const Report& report, const std::string& format) {
   using Detail = TextOptions::Detail;
   if (format == "text") return write_text(report, {Detail::Normal, false});
@@ -286,6 +297,7 @@ std::string render(const Report& report, const std::string& format) {
   if (format == "sarif") return write_sarif(report);
   if (format == "junit") return write_junit(report);
   if (format == "github") return write_github(report);
+  if (format == "html") return without_style(write_html(report));
   if (format == "exit") return std::to_string(exit_status(report)) + "\n";
   return "";
 }
@@ -312,6 +324,15 @@ TEST_P(ReportGolden, IsAsRecorded) {
     text = render(scene.report(), format);
   }
   write_golden(GetParam(), golden);
+}
+
+TEST_P(ReportGolden, IsAPageThatLoadsAndRunsNothing) {
+  const Scene scene(read_golden(GetParam()));
+  const std::string page = write_html(scene.report());
+  EXPECT_EQ(problems_of(page), "") << page;
+  EXPECT_TRUE(page.starts_with("<!DOCTYPE html>\n"));
+  EXPECT_NE(page.find("content=\"default-src &#39;none&#39;"),
+            std::string::npos);
 }
 
 INSTANTIATE_TEST_SUITE_P(
