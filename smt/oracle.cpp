@@ -72,6 +72,7 @@ std::size_t count_terms(const TransitionSystem& ts,
                         std::vector<bool>& seen) {
   std::size_t count = 1;
   std::vector<ExprId> stack;
+  stack.reserve(part.size());
   for (const Target* target : part) stack.push_back(target->term);
   while (!stack.empty()) {
     const ExprId id = stack.back();
@@ -220,6 +221,7 @@ void SolverOracle::induct(const std::vector<Target*>& open) {
   constexpr std::uint32_t kScans = 1;
   if (!asks_for_runs(open) || deadline_.passed()) return;
   std::vector<ExprId> terms;
+  terms.reserve(open.size());
   for (const Target* target : open) terms.push_back(target->term);
   Cone cone(ts_, terms);
   if (cone.circuit().overflow()) return;
