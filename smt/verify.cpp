@@ -156,6 +156,7 @@ class Verifier {
                      });
     std::set<std::pair<std::uint32_t, std::uint32_t>> runs;
     for (const Claim& claim : open) {
+      if (scans > confirming_scans()) break;
       if (verdicts_.is_confirmed(claim)) continue;
       if (!runs.emplace(hit(claim).step, hit(claim).lane).second) continue;
       try_run(random.run(hit(claim).step, hit(claim).lane), open);
