@@ -49,6 +49,7 @@ std::string render(const EquivalenceReport& report, std::string_view format,
   if (format == "text") {
     return write_text(report, text_options(options, colour));
   }
+  if (format == "html") return write_html(report);
   return render(as_report(report), format, options, colour);
 }
 

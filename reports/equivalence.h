@@ -46,6 +46,9 @@ std::string write_text(const EquivalenceReport& report,
 std::string write_json(const EquivalenceReport& report);
 std::string write_jsonl(const EquivalenceReport& report);
 
+/// The page of reports/html, with rungs of both programs.
+std::string write_html(const EquivalenceReport& report);
+
 /// The same as a report with one obligation, "equivalent", for the formats
 /// that have no shape of their own for this.
 Report as_report(const EquivalenceReport& report);

@@ -25,6 +25,9 @@ struct FileReport {
   std::string_view dialect;                // empty: the language has none
   std::string_view semantics;              // the preset it was read with
   std::shared_ptr<const Program> program;  // null: input errors
+  /// What the traces are runs of, where that is not `program`: of `equiv` both
+  /// programs as one. Only the page draws it.
+  std::shared_ptr<const Program> run_of;
   PropertySet properties;
   std::vector<std::string> notes;  // what is not part of the answer, and why
   std::vector<Diagnostic> findings;

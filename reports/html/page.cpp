@@ -155,16 +155,27 @@ class Page {
       add("<p>No findings.</p>\n");
     }
     for (const Diagnostic& finding : file.findings) write_finding(finding);
-    if (!file.results.empty()) add("<h3>Obligations</h3>\n");
+    if (file.run_of) {
+      FileReport as_run = file;
+      as_run.program = file.run_of;
+      write_obligations(as_run);
+    } else {
+      write_obligations(file);
+    }
+    for (const std::string& note : file.notes) {
+      add("<p>note: {}</p>\n", markup(note));
+    }
+    add("</section>\n");
+  }
+
+  void write_obligations(const FileReport& file) {
+    if (file.results.empty()) return;
+    add("<h3>Obligations</h3>\n");
     if (file.program) cones_.emplace(*file.program);
     for (std::size_t i = 0; i < file.results.size(); ++i) {
       write_obligation(file, i);
     }
     cones_.reset();
-    for (const std::string& note : file.notes) {
-      add("<p>note: {}</p>\n", markup(note));
-    }
-    add("</section>\n");
   }
 
   void write_finding(const Diagnostic& finding) {

@@ -54,18 +54,19 @@ std::string figure(const HtmlRun& run, RungId id, const Simulator& simulator,
                    Locator& locator) {
   const Rung& rung = run.program.rungs[id];
   const RungState state = state_of(run.program, rung, simulator);
+  const std::string where =
+      fmt::format("{}:{}", run.sources[rung.where.file].path(),
+                  locator.of(rung.where).begin.line);
   const std::string label = fmt::format(
-      "rung {} at the end of scan {}: {} = {}", id.index() + 1,
-      simulator.scans(), run.program.cells[rung.target].name, state.target);
+      "rung {} at the end of scan {}: {} = {}", where, simulator.scans(),
+      run.program.cells[rung.target].name, state.target);
   return fmt::format(
-      "<figure>\n<figcaption>rung {} in scan {}, {}:{}: "
-      "<code>{}</code></figcaption>\n"
-      "<div class=\"scroll\" role=\"group\" aria-label=\"rung {}\" "
-      "tabindex=\"0\">\n{}</div>\n</figure>\n",
-      id.index() + 1, simulator.scans(),
-      markup(run.sources[rung.where.file].path()),
-      locator.of(rung.where).begin.line,
-      markup(first_line(run.sources, rung), kCaptionColumns), id.index() + 1,
+      "<figure>\n<figcaption>{0} in scan {1}: "
+      "<code>{2}</code></figcaption>\n"
+      "<div class=\"scroll\" role=\"group\" aria-label=\"rung {0}\" "
+      "tabindex=\"0\">\n{3}</div>\n</figure>\n",
+      markup(where), simulator.scans(),
+      markup(first_line(run.sources, rung), kCaptionColumns),
       draw_rung_svg(lay_out_rung(run.program, rung), &state, label));
 }
 
