@@ -14,7 +14,7 @@ _rungproof() {
   COMPREPLY=()
   case $previous in
     --format)
-      local formats="text json jsonl sarif junit github"
+      local formats="text json jsonl sarif junit github html"
       [[ $command == render ]] && formats="text svg"
       COMPREPLY=($(compgen -W "$formats" -- "$current")) ;;
     --semantics|--dialect) COMPREPLY=($(compgen -W "yun sim" -- "$current")) ;;

@@ -12,7 +12,7 @@ complete -c rungproof -f -n "not __fish_seen_subcommand_from $commands" -a rende
 complete -c rungproof -f -n "not __fish_seen_subcommand_from $commands" -a rule -d 'what a lint rule finds, and why'
 complete -c rungproof -s h -l help -d 'print help'
 complete -c rungproof -l version -d 'print versions'
-complete -c rungproof -l format -x -a 'text json jsonl sarif junit github svg' -d 'FMT or FMT:FILE'
+complete -c rungproof -l format -x -a 'text json jsonl sarif junit github html svg' -d 'FMT or FMT:FILE'
 complete -c rungproof -l scan -x -d 'MIN..MAX: ms that a scan takes'
 complete -c rungproof -l semantics -x -a 'yun sim' -d 'what the language means'
 complete -c rungproof -l dialect -x -a 'yun sim' -d 'of scripts'
