@@ -1,5 +1,6 @@
 #include "frontend/recognise.h"
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 
@@ -24,6 +25,20 @@ bool any_line(std::string_view text, Visit visit) {
     if (end == std::string_view::npos) end = text.size();
     if (visit(trimmed(text.substr(at, end - at)))) return true;
     at = end + 1;
+  }
+  return false;
+}
+
+/// The same for the lines with `word`, which are few.
+template <class Visit>
+bool any_line_with(std::string_view text, std::string_view word, Visit visit) {
+  for (std::size_t at = 0; (at = text.find(word, at)) != text.npos;) {
+    std::size_t begin = text.find_last_of("\r\n", at);
+    begin = begin == text.npos ? 0 : begin + 1;
+    const std::size_t end =
+        std::min(text.find_first_of("\r\n", at), text.size());
+    if (visit(trimmed(text.substr(begin, end - begin)))) return true;
+    at = end;
   }
   return false;
 }
@@ -60,7 +75,7 @@ bool is_ldmicro(std::string_view text) {
 }
 
 bool is_plclib(std::string_view text) {
-  return any_line(text, [](std::string_view line) {
+  return any_line_with(text, "#include", [](std::string_view line) {
     return line.starts_with("#include") &&
            line.find("plcLib") != std::string_view::npos;
   });
@@ -129,7 +144,7 @@ const Language* find_language(std::string_view name) {
 
 std::string_view declared_language(std::string_view text) {
   std::string_view found;
-  any_line(text, [&](std::string_view line) {
+  any_line_with(text, "language", [&](std::string_view line) {
     if (!line.starts_with("//@") && !line.starts_with("(*@")) return false;
     line = trimmed(line.substr(3));
     if (!starts_word(line, "language")) return false;

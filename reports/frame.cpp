@@ -92,12 +92,17 @@ Layout lay_out(std::string_view line, const Underline& underline) {
   std::size_t column = layout.text.size();
   layout.skip = column;
   for (std::size_t at = begin; at < end;) {
-    const Character character = decode(line, at);
-    const Printable shown =
-        printable(character, line.substr(at, character.bytes), column);
-    layout.text += shown.text;
-    column += shown.width;
-    at += character.bytes;
+    if (plain_bytes(line.substr(at, 1), 0) != 0) {
+      layout.text += line[at++];
+      ++column;
+    } else {
+      const Character character = decode(line, at);
+      const Printable shown =
+          printable(character, line.substr(at, character.bytes), column);
+      layout.text += shown.text;
+      column += shown.width;
+      at += character.bytes;
+    }
     if (at <= underline.begin) {
       layout.skip = column;
     } else if (at <= underline.end) {

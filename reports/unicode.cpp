@@ -118,10 +118,22 @@ Printable printable(const Character& character, std::string_view bytes,
   return {std::move(escape), width};
 }
 
+std::size_t plain_bytes(std::string_view text, std::size_t at) {
+  std::size_t end = at;
+  while (end < text.size() && text[end] >= ' ' && text[end] <= '~') ++end;
+  return end - at;
+}
+
 std::string printable(std::string_view text) {
   std::string out;
   std::size_t column = 0;
   for (std::size_t at = 0; at < text.size();) {
+    if (const std::size_t plain = plain_bytes(text, at); plain != 0) {
+      out += text.substr(at, plain);
+      column += plain;
+      at += plain;
+      continue;
+    }
     const Character character = decode(text, at);
     const Printable shown =
         printable(character, text.substr(at, character.bytes), column);
@@ -135,6 +147,11 @@ std::string printable(std::string_view text) {
 std::size_t printable_width(std::string_view text) {
   std::size_t column = 0;
   for (std::size_t at = 0; at < text.size();) {
+    if (const std::size_t plain = plain_bytes(text, at); plain != 0) {
+      column += plain;
+      at += plain;
+      continue;
+    }
     const Character character = decode(text, at);
     column +=
         printable(character, text.substr(at, character.bytes), column).width;

@@ -84,8 +84,11 @@ Clash find_clash(const Program& program, std::uint32_t root, NodeOp op) {
     std::uint32_t inverted = Clash::kNone;
     Interval interval;
   };
+  const std::vector<std::uint32_t> parts = operands(program, root, op);
+  if (parts.size() < 2) return {};
   std::unordered_map<std::uint32_t, Seen> cells;
-  for (const std::uint32_t node : operands(program, root, op)) {
+  cells.reserve(parts.size());
+  for (const std::uint32_t node : parts) {
     const Contact contact = contact_at(program, node);
     if (contact.cell.has_value()) {
       Seen& seen = cells[contact.cell.index()];
