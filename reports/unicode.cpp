@@ -165,7 +165,9 @@ std::string valid_utf8(std::string_view text) {
   out.reserve(text.size());
   for (std::size_t at = 0; at < text.size();) {
     const Character character = decode(text, at);
-    if (character.valid) {
+    // XML cannot hold these two, not even as references.
+    const bool none = character.code == 0xfffe || character.code == 0xffff;
+    if (character.valid && !none) {
       out += text.substr(at, character.bytes);
     } else {
       out += "\xef\xbf\xbd";

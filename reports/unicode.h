@@ -39,7 +39,8 @@ std::size_t plain_bytes(std::string_view text, std::size_t at);
 /// The columns that printable(text) takes.
 std::size_t printable_width(std::string_view text);
 
-/// Each byte that is not UTF-8 becomes U+FFFD; for JSON and XML.
+/// Each byte that is not UTF-8, and U+FFFE and U+FFFF, become U+FFFD; for JSON
+/// and XML.
 std::string valid_utf8(std::string_view text);
 
 }  // namespace rung

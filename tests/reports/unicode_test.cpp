@@ -47,6 +47,7 @@ TEST(PrintableWidth, CountsColumns) {
 
 TEST(ValidUtf8, ReplacesOnlyBadBytes) {
   EXPECT_EQ(valid_utf8("\xc3\xb6\xff\x41"), "\xc3\xb6\xef\xbf\xbd\x41");
+  EXPECT_EQ(valid_utf8("\xef\xbf\xbf"), "\xef\xbf\xbd");
 }
 
 }  // namespace
