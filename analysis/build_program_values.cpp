@@ -316,6 +316,7 @@ void ExpressionBuilder::check_element_call(ResolvedCall& call) {
         call.parameter = check_count(*ast_, node, constant, *errors_);
         break;
       case ParameterKind::Bit:
+      case ParameterKind::Word:
         break;
     }
   }

@@ -333,7 +333,10 @@ class Builder {
     names.set("p", exprs().word(call.parameter));
     std::size_t argument = 0;
     for (const ElementParameter& parameter : call.operation->parameters) {
-      if (parameter.kind != ParameterKind::Bit) continue;
+      if (parameter.kind != ParameterKind::Bit &&
+          parameter.kind != ParameterKind::Word) {
+        continue;
+      }
       names.set(std::string(parameter.name),
                 value_[call.arguments[argument++]]);
     }
@@ -369,7 +372,9 @@ class Builder {
       now = exprs().ite(executed, after[i], now);
     }
     ts_.call_executed[id.index()] = executed;
-    ts_.call_value[id.index()] = exprs().conjunction(executed, result);
+    ts_.call_value[id.index()] =
+        call.operation->word ? exprs().ite(executed, result, exprs().word(0))
+                             : exprs().conjunction(executed, result);
     return result;
   }
 

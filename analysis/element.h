@@ -11,10 +11,11 @@ namespace rung {
 /// does not (it is the second opinion and has elements of its own).
 ///
 /// Step texts are formulas (analysis/formula.h) over the names of the states,
-/// of the operation's bit operands, and `p`, the time or count operand. A
-/// primed name is the value after the updates that stand above the line. An
-/// update of a name that is no state defines it, for the lines below. `any` is
-/// a fresh free bit: there the encoding allows more runs than the program has.
+/// of the operation's bit and word operands, and `p`, the time or count
+/// operand. A primed name is the value after the updates that stand above the
+/// line. An update of a name that is no state defines it, for the lines below.
+/// `any` is a fresh free bit: there the encoding allows more runs than the
+/// program has.
 
 enum class StateType : std::uint8_t {
   Bit,
@@ -32,7 +33,7 @@ struct ElementState {
   std::string_view high = {};
 };
 
-enum class ParameterKind : std::uint8_t { Index, Seconds, Count, Bit };
+enum class ParameterKind : std::uint8_t { Index, Seconds, Count, Bit, Word };
 
 struct ElementParameter {
   std::string_view name;
@@ -60,16 +61,20 @@ struct ElementOperation {
   std::string_view result;  // a formula
   SecondsRounding rounding = SecondsRounding::Ceiling;
   bool resets = false;      // its purpose is to clear the state (TR, CR)
-  std::uint8_t opcode = 0;  // in the postfix format; never reused
+  bool reads = false;       // it has no updates: an output is looked at
+  bool word = false;        // the result is a word
+  std::uint8_t opcode = 0;  // in the postfix format, never reused; 0: none
+  /// It is what the element is there for: neither a reset nor a look.
+  constexpr bool steps() const { return !resets && !reads; }
 };
 
-enum class ElementFamily : std::uint8_t { Timer, Counter, Edge };
+enum class ElementFamily : std::uint8_t { Timer, Counter, Edge, Latch };
 
 /// Initial values of all states are 0.
 struct ElementKind {
   std::string_view id;       // "timer-yun": stable
   std::string_view letter;   // "T": instances are named T(0)
-  std::string_view dialect;  // "yun", "sim"; empty: every dialect
+  std::string_view dialect;  // "yun", "sim", "iec"; empty: every dialect
   ElementFamily family = ElementFamily::Timer;
   std::string_view summary;  // one sentence for docs/elements.md
   std::string_view source;   // where the definition comes from

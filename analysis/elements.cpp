@@ -1,6 +1,7 @@
 #include <array>
 
 #include "analysis/element.h"
+#include "analysis/elements_iec.h"
 
 namespace rung {
 namespace {
@@ -174,7 +175,7 @@ constexpr std::array<ElementOperation, 2> kEdgeOperations = {{
      .opcode = 0x51},
 }};
 
-constexpr std::array<ElementKind, 6> kKinds = {{
+constexpr std::array<ElementKind, 6> kScriptKinds = {{
     {.id = "timer-yun",
      .letter = "T",
      .dialect = "yun",
@@ -241,6 +242,14 @@ constexpr std::array<ElementKind, 6> kKinds = {{
      .value = {}},
 }};
 
+constexpr auto kKinds = [] {
+  std::array<ElementKind, kScriptKinds.size() + iec::kKinds.size()> all = {};
+  std::size_t count = 0;
+  for (const ElementKind& kind : kScriptKinds) all[count++] = kind;
+  for (const ElementKind& kind : iec::kKinds) all[count++] = kind;
+  return all;
+}();
+
 }  // namespace
 
 std::span<const ElementKind> element_kinds() { return kKinds; }
@@ -256,6 +265,7 @@ FoundOperation find_operation(std::string_view dialect, std::string_view name) {
 }
 
 FoundOperation find_operation(std::uint8_t opcode) {
+  if (opcode == 0) return {};
   for (const ElementKind& kind : kKinds) {
     for (const ElementOperation& operation : kind.operations) {
       if (operation.opcode == opcode) return {&kind, &operation};

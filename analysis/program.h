@@ -40,6 +40,7 @@ struct Cell {
   bool plant_written = false;  // an input that the `//Sim` plant assigns
   bool initialised = false;    // the text says its initial value (`//Var`)
   bool declared = false;       // by an `//@ input` or `//@ output` line
+  bool made = false;           // by the reader: the text does not name it
 };
 
 /// Operators of a rung's expression. Bit operators take and give bits, word

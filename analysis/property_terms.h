@@ -30,7 +30,7 @@ class PropertyTerms {
     calls_.resize(program.instances.size());
     for (const CallId id : ids_of(program.calls)) {
       const ElementCall& call = program.calls[id];
-      if (!call.operation->resets) calls_[call.instance.index()].push_back(id);
+      if (call.operation->steps()) calls_[call.instance.index()].push_back(id);
     }
   }
 

@@ -107,7 +107,7 @@ ObservationNames::ObservationNames(const Program& program) {
   for (std::uint32_t i = 0; i < program.nodes.size(); ++i) {
     if (program.nodes[i].op != NodeOp::Call) continue;
     const ElementCall& call = program.calls[program.nodes[i].call];
-    if (!call.operation->resets) calls_[call.instance.index()].push_back(i);
+    if (call.operation->steps()) calls_[call.instance.index()].push_back(i);
   }
 }
 

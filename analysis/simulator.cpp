@@ -88,7 +88,7 @@ struct CallCode {
   ElementCode code = ElementCode::Rise;
   std::uint32_t instance = 0;
   std::uint32_t arguments = 0;  // how many of `argument`
-  std::array<std::uint32_t, 3> argument = {0, 0, 0};
+  std::array<std::uint32_t, 5> argument = {0, 0, 0, 0, 0};
   std::int64_t parameter = 0;
 };
 
@@ -115,8 +115,8 @@ Instruction compile_node(const Node& node) {
 CallCode compile_call(const Program& program, const ElementCall& call) {
   const ElementKind& kind = *program.instances[call.instance].kind;
   const auto code = find_element_code(kind, *call.operation);
-  assert(code.has_value() && call.arguments.size() <= 3);
-  if (!code.has_value() || call.arguments.size() > 3) std::abort();
+  assert(code.has_value() && call.arguments.size() <= 5);
+  if (!code.has_value() || call.arguments.size() > 5) std::abort();
   CallCode result;
   result.code = *code;
   result.instance = call.instance.index();
@@ -136,7 +136,7 @@ struct Simulator::Impl {
 
   void reset();
   void run_rung(const RungCode& rung);
-  bool call(const CallCode& code);
+  Word call(const CallCode& code);
   bool only_time_passed(std::int64_t dt_ms) const;
   bool restarted(std::size_t element) const {
     return elements[element].t0 == clock.now;
@@ -182,7 +182,8 @@ Simulator::Impl::Impl(const Program& source)
   shapes.resize(source.instances.size(), ElementShape::Edge);
   for (const ElementCall& call : source.calls) {
     calls.push_back(compile_call(source, call));
-    shapes[calls.back().instance] = shape_of(calls.back().code);
+    const auto shape = shape_of(calls.back().code);
+    if (shape) shapes[calls.back().instance] = *shape;
   }
   reset();
 }
@@ -199,13 +200,13 @@ void Simulator::Impl::reset() {
   plant.reset(cells);
 }
 
-bool Simulator::Impl::call(const CallCode& code) {
+Word Simulator::Impl::call(const CallCode& code) {
   ElementInputs inputs;
-  if (code.arguments > 0) inputs.v = values[code.argument[0]] != 0;
-  if (code.arguments > 1) inputs.down = values[code.argument[1]] != 0;
-  if (code.arguments > 2) inputs.reset = values[code.argument[2]] != 0;
-  return execute_element(code.code, elements[code.instance], code.parameter,
-                         inputs, clock);
+  inputs.parameter = code.parameter;
+  for (std::uint32_t i = 0; i < code.arguments; ++i) {
+    inputs.value[i] = values[code.argument[i]];
+  }
+  return execute_element(code.code, elements[code.instance], inputs, clock);
 }
 
 void Simulator::Impl::run_rung(const RungCode& rung) {
@@ -218,7 +219,7 @@ void Simulator::Impl::run_rung(const RungCode& rung) {
         values[i] = cells[node.a];
         break;
       case Step::Call:
-        values[i] = call(calls[node.a]) ? 1 : 0;
+        values[i] = call(calls[node.a]);
         break;
       case Step::Branch:
         if ((values[node.a] != 0) == node.skip_when) {

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 
+#include "analysis/simulator_elements_iec.h"
+
 namespace rung {
 namespace {
 
@@ -11,7 +13,7 @@ struct CodeRow {
   std::string_view operation;
   ElementCode code;
 };
-constexpr std::array<CodeRow, 10> kCodes = {{
+constexpr std::array<CodeRow, 27> kCodes = {{
     {"timer-yun", "T", ElementCode::TimerYun},
     {"timer-yun", "TR", ElementCode::TimerYunReset},
     {"timer-sim", "T", ElementCode::TimerSim},
@@ -22,16 +24,24 @@ constexpr std::array<CodeRow, 10> kCodes = {{
     {"counter-sim", "C", ElementCode::CounterSim},
     {"edge", "RISE", ElementCode::Rise},
     {"edge", "FALL", ElementCode::Fall},
+    {"ton", "TON", ElementCode::OnDelay},
+    {"ton", "TON.ET", ElementCode::TimerElapsed},
+    {"tof", "TOF", ElementCode::OffDelay},
+    {"tof", "TOF.ET", ElementCode::TimerElapsed},
+    {"tp", "TP", ElementCode::Pulse},
+    {"tp", "TP.ET", ElementCode::TimerElapsed},
+    {"ctu", "CTU", ElementCode::CountUp},
+    {"ctu", "CTU.CV", ElementCode::CountValue},
+    {"ctd", "CTD", ElementCode::CountDown},
+    {"ctd", "CTD.CV", ElementCode::CountValue},
+    {"ctud", "CTUD", ElementCode::CountUpDown},
+    {"ctud", "CTUD.QD", ElementCode::CountedDown},
+    {"ctud", "CTUD.CV", ElementCode::CountValue},
+    {"r-trig", "R_TRIG", ElementCode::RisingTrigger},
+    {"f-trig", "F_TRIG", ElementCode::FallingTrigger},
+    {"sr", "SR", ElementCode::SetDominant},
+    {"rs", "RS", ElementCode::ResetDominant},
 }};
-
-// `t >= limit`; where it is false for a running timer, it is an event to come.
-// A timer that was started in this very scan is none: as long as nothing else
-// changes, it is started again in every scan.
-bool reached(std::int64_t t, std::int64_t limit, ElementClock& clock) {
-  if (t >= limit) return true;
-  if (t > 0) clock.next_event = std::min(clock.next_event, limit - t);
-  return false;
-}
 
 // bool T(int n, float d, bool v), Sensors and Materials 32(12), section 2.1.
 // `parameter` is the whole part of d*1000, so `t > d*1000` is `t > parameter`.
@@ -101,19 +111,19 @@ bool counter_yun_reset(SimulatedElement& e, bool v) {
 
 // function C(n, count, v, vd, Reset), I/O simulator, section 3.2. The result
 // is taken before the count is cut back, and nothing bounds it below.
-bool counter_sim(SimulatedElement& e, std::int64_t count,
-                 const ElementInputs& in) {
-  if (in.reset) {
+bool counter_sim(SimulatedElement& e, std::int64_t count, bool v, bool down,
+                 bool reset) {
+  if (reset) {
     e.last = false;
     e.last_down = false;
     e.count = 0;
     return false;
   }
-  if (in.v != e.last && in.v) e.count += 1;
-  if (in.down != e.last_down && in.down) e.count -= 1;
+  if (v != e.last && v) e.count += 1;
+  if (down != e.last_down && down) e.count -= 1;
   const bool result = e.count == count;
-  e.last = in.v;
-  e.last_down = in.down;
+  e.last = v;
+  e.last_down = down;
   if (e.count > 50 * count) e.count = count + 1;
   return result;
 }
@@ -139,33 +149,56 @@ bool same_but_for_time(const SimulatedElement& a, const SimulatedElement& b) {
          a.last == b.last && a.last_down == b.last_down;
 }
 
-bool execute_element(ElementCode code, SimulatedElement& element,
-                     std::int64_t parameter, const ElementInputs& inputs,
-                     ElementClock& clock) {
-  switch (code) {
-    case ElementCode::TimerYun:
-      return timer_yun(element, parameter, inputs.v, clock);
-    case ElementCode::TimerYunReset:
-      return timer_yun_reset(element, inputs.v);
-    case ElementCode::TimerSim:
-      return timer_sim(element, parameter, inputs.v, clock);
-    case ElementCode::TimerOffSim:
-      return timer_off_sim(element, parameter, inputs.v, clock);
-    case ElementCode::CounterYun:
-      return counter_yun(element, parameter, inputs.v);
-    case ElementCode::CounterYunReset:
-      return counter_yun_reset(element, inputs.v);
-    case ElementCode::CounterSim:
-      return counter_sim(element, parameter, inputs);
-    case ElementCode::Rise:
-      return edge(element, inputs.v, true);
-    case ElementCode::Fall:
-      return edge(element, inputs.v, false);
-  }
+bool reached(std::int64_t t, std::int64_t limit, ElementClock& clock) {
+  if (t >= limit) return true;
+  if (t > 0) clock.next_event = std::min(clock.next_event, limit - t);
   return false;
 }
 
-ElementShape shape_of(ElementCode code) {
+std::int64_t execute_element(ElementCode code, SimulatedElement& element,
+                             const ElementInputs& inputs, ElementClock& clock) {
+  const std::int64_t parameter = inputs.parameter;
+  const bool v = inputs.bit(0);
+  switch (code) {
+    case ElementCode::TimerYun:
+      return timer_yun(element, parameter, v, clock) ? 1 : 0;
+    case ElementCode::TimerYunReset:
+      return timer_yun_reset(element, v) ? 1 : 0;
+    case ElementCode::TimerSim:
+      return timer_sim(element, parameter, v, clock) ? 1 : 0;
+    case ElementCode::TimerOffSim:
+      return timer_off_sim(element, parameter, v, clock) ? 1 : 0;
+    case ElementCode::CounterYun:
+      return counter_yun(element, parameter, v) ? 1 : 0;
+    case ElementCode::CounterYunReset:
+      return counter_yun_reset(element, v) ? 1 : 0;
+    case ElementCode::CounterSim:
+      return counter_sim(element, parameter, v, inputs.bit(1), inputs.bit(2))
+                 ? 1
+                 : 0;
+    case ElementCode::Rise:
+      return edge(element, v, true) ? 1 : 0;
+    case ElementCode::Fall:
+      return edge(element, v, false) ? 1 : 0;
+    case ElementCode::OnDelay:
+    case ElementCode::OffDelay:
+    case ElementCode::Pulse:
+    case ElementCode::TimerElapsed:
+    case ElementCode::CountUp:
+    case ElementCode::CountDown:
+    case ElementCode::CountUpDown:
+    case ElementCode::CountedDown:
+    case ElementCode::CountValue:
+    case ElementCode::RisingTrigger:
+    case ElementCode::FallingTrigger:
+    case ElementCode::SetDominant:
+    case ElementCode::ResetDominant:
+      return execute_block(code, element, inputs, clock);
+  }
+  return 0;
+}
+
+std::optional<ElementShape> shape_of(ElementCode code) {
   switch (code) {
     case ElementCode::TimerYun:
     case ElementCode::TimerYunReset:
@@ -179,11 +212,29 @@ ElementShape shape_of(ElementCode code) {
       return ElementShape::CounterYun;
     case ElementCode::CounterSim:
       return ElementShape::CounterSim;
+    case ElementCode::OnDelay:
+      return ElementShape::OnDelay;
+    case ElementCode::OffDelay:
+      return ElementShape::OffDelay;
+    case ElementCode::Pulse:
+      return ElementShape::Pulse;
+    case ElementCode::CountUp:
+    case ElementCode::CountDown:
+    case ElementCode::CountUpDown:
+      return ElementShape::Counter;
     case ElementCode::Rise:
     case ElementCode::Fall:
+    case ElementCode::RisingTrigger:
+    case ElementCode::FallingTrigger:
+    case ElementCode::SetDominant:
+    case ElementCode::ResetDominant:
       return ElementShape::Edge;
+    case ElementCode::TimerElapsed:
+    case ElementCode::CountedDown:
+    case ElementCode::CountValue:
+      return std::nullopt;
   }
-  return ElementShape::Edge;
+  return std::nullopt;
 }
 
 bool is_running(ElementShape shape, const SimulatedElement& element) {
@@ -193,8 +244,13 @@ bool is_running(ElementShape shape, const SimulatedElement& element) {
       return element.started;
     case ElementShape::TimerOffSim:
       return element.out && !element.started;
+    case ElementShape::OnDelay:
+    case ElementShape::OffDelay:
+    case ElementShape::Pulse:
+      return element.started;
     case ElementShape::CounterYun:
     case ElementShape::CounterSim:
+    case ElementShape::Counter:
     case ElementShape::Edge:
       return false;
   }
@@ -219,6 +275,14 @@ bool is_done(ElementShape shape, const SimulatedElement& element,
       return element.count >= parameter;
     case ElementShape::CounterSim:
       return element.count == parameter;
+    case ElementShape::OnDelay:
+      return element.last && now - element.t0 >= parameter;
+    case ElementShape::OffDelay:
+      return element.last || (element.started && now - element.t0 < parameter);
+    case ElementShape::Pulse:
+      return element.started && now - element.t0 < parameter;
+    case ElementShape::Counter:
+      return element.out;
     case ElementShape::Edge:
       return false;
   }

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -12,7 +14,8 @@ namespace rung {
 /// What every reader produces: assignments in scan order, uninterpreted.
 /// Names, element calls and types are resolved later, by analysis/.
 ///
-/// All string views point into the text of the file, which outlives the Ast.
+/// All string views point into the text of the file, which outlives the Ast,
+/// into static storage, or into Ast::made_names.
 
 enum class AstOp : std::uint8_t {
   Name,    // text
@@ -90,8 +93,8 @@ struct AstComment {
 /// or a counter in the right operand) the two differ.
 enum class Evaluation : std::uint8_t { Strict, ShortCircuit };
 
-/// A cell or the state of an element that the text itself declares (postfix):
-/// there nothing is inferred from use.
+/// A cell or the state of an element that the text itself declares (postfix,
+/// the languages of IEC 61131-3): there nothing is inferred from use.
 struct AstDeclaration {
   enum class Kind : std::uint8_t { Input, Output, Memory, Element };
   Kind kind = Kind::Memory;
@@ -100,7 +103,10 @@ struct AstDeclaration {
   std::int64_t initial = 0;
   std::int64_t low = 0;
   std::int64_t high = 1;
-  std::int64_t index = 0;  // of an element: the 0 of T(0)
+  std::int64_t index = 0;          // of an element: the 0 of T(0)
+  std::string_view instance = {};  // of an element that has a name: `timer1`
+  bool made = false;               // a cell that the text does not name
+  bool initialised = false;        // the text says its initial value
   SourceRange where;
 };
 
@@ -115,8 +121,9 @@ struct Ast {
   std::vector<AstAnnotation> annotations;
   std::vector<AstComment> comments;
 
-  // What only a text says that declares everything (postfix).
+  // What only a text says that declares everything.
   std::vector<AstDeclaration> declarations;
+  std::vector<std::shared_ptr<const std::string>> made_names;
   Evaluation evaluation = Evaluation::Strict;
   std::int64_t scan_min_ms = 1;
   std::int64_t scan_max_ms = 100;

@@ -69,7 +69,9 @@ class Indexer {
       case NodeOp::Call: {
         const ElementCall& call = program_.calls[node.call];
         index_.rung_of_call[node.call.index()] = rung;
-        calls_.emplace_back(call.instance.index(), node.call.index());
+        if (!call.operation->reads) {
+          calls_.emplace_back(call.instance.index(), node.call.index());
+        }
         for (const std::uint32_t argument : call.arguments) adopt(i, argument);
         return;
       }

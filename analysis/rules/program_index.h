@@ -37,7 +37,7 @@ struct ProgramIndex {
 
   Grouped writers;  // by cell: rungs, in scan order
   Grouped reads;    // by cell: nodes, in scan order
-  Grouped calls;    // by instance: calls, in scan order
+  Grouped calls;    // by instance: calls but mere looks, in scan order
 
   std::vector<std::uint32_t> rung_of;       // by node
   std::vector<std::uint32_t> rung_of_call;  // by call

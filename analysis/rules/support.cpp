@@ -156,6 +156,8 @@ std::string_view family_name(const Instance& instance) {
       return "counter";
     case ElementFamily::Edge:
       return "edge";
+    case ElementFamily::Latch:
+      return "latch";
   }
   return "";
 }

@@ -49,7 +49,7 @@ class Comparer {
     for (const InstanceId id : ids_of(program.instances)) {
       EndNames names(ts_, encoding.program, id);
       const ElementKind& kind = *encoding.program.instances[id].kind;
-      if (kind.family == ElementFamily::Edge) {  // has no `.q`
+      if (kind.done.empty()) {  // edges and latches have no `.q`
         done_.emplace_back();
         observed_.emplace_back();
         continue;

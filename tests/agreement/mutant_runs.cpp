@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "analysis/build_postfix.h"
+#include "block_programs.h"
 #include "frontend/postfix/reader.h"
 #include "program_generator.h"
 
@@ -117,6 +118,25 @@ ProgramRun wraps() {
   return run;
 }
 
+ProgramRun random_blocks(std::uint64_t seed) {
+  const std::vector<std::uint32_t> numbers = random_tape(seed, kTapeLength);
+  Tape tape(numbers);
+  ProgramRun run{"blocks, seed " + std::to_string(seed), {}, {}};
+  run.read.program = random_block_program(tape);
+  run.stimulus = random_stimulus(run.read.program, tape, kScans);
+  return run;
+}
+
+/// To the largest value of a CTU, and one edge more.
+ProgramRun counts_to_the_limit() {
+  ProgramRun run{"CTU at its limit", {}, {}};
+  run.read.program = single_block("ctu");
+  const std::string up = repeated("10", 32768);
+  const std::string none(up.size(), '0');
+  run.stimulus = levels(run.read.program, {up, none, none});
+  return run;
+}
+
 }  // namespace
 
 std::vector<ProgramRun> mutant_runs(std::uint64_t count) {
@@ -128,7 +148,9 @@ std::vector<ProgramRun> mutant_runs(std::uint64_t count) {
   for (std::uint64_t seed = 1; seed <= count; ++seed) {
     std::optional<ProgramRun> run = random_program(seed);
     if (run) runs.push_back(std::move(*run));
+    runs.push_back(random_blocks(seed));
   }
+  runs.push_back(counts_to_the_limit());
   runs.push_back(counts_down());
   return runs;
 }

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <cstdint>
+#include <string_view>
+
+#include "analysis/program.h"
+#include "program_generator.h"
+
+namespace rung {
+
+/// A program that executes standard function blocks of IEC 61131-3 (every kind
+/// of the dialect "iec"), some of them behind a condition, and looks at their
+/// outputs at any place.
+Program random_block_program(Tape& tape);
+
+/// One block of a kind; its operands are inputs, in the order of its
+/// parameters, and each operation has a cell. Times are 30 ms.
+Program single_block(std::string_view kind);
+
+}  // namespace rung
