@@ -82,13 +82,34 @@ bool is_element_call(const AstNode& node) {
   return node.op == AstOp::Call && !shape_of(node);
 }
 
-/// How many arguments of an element's call are no bits: index and preset.
-std::uint32_t immediates_of(const AstNode& call) {
+/// How many arguments of an element's call are constants: index and preset.
+std::uint32_t immediates_of(std::string_view dialect, const AstNode& call) {
+  if (dialect == "iec") {
+    const FoundOperation found = find_operation(dialect, call.text);
+    if (found.operation == nullptr) return 0;
+    const auto parameters = found.operation->parameters;
+    const bool timed =
+        std::any_of(parameters.begin(), parameters.end(),
+                    [](const ElementParameter& parameter) {
+                      return parameter.kind == ParameterKind::Seconds;
+                    });
+    return timed ? 2 : 1;
+  }
   for (const postfix::ElementCode& code : postfix::element_codes()) {
     if (code.name != call.text) continue;
     return code.preset == postfix::ElementCode::Preset::None ? 1 : 2;
   }
   return 0;
+}
+
+/// Of the `position`th operand that is no constant.
+Type operand_type(const ElementOperation& operation, std::size_t position) {
+  for (const ElementParameter& parameter : operation.parameters) {
+    const bool word = parameter.kind == ParameterKind::Word;
+    if (!word && parameter.kind != ParameterKind::Bit) continue;
+    if (position-- == 0) return word ? Type::Word : Type::Bit;
+  }
+  return Type::Bit;
 }
 
 class PostfixBuilder {
@@ -150,7 +171,9 @@ class PostfixBuilder {
                         .low = declaration.low,
                         .high = declaration.high,
                         .where = declaration.where,
-                        .declared = role != CellRole::Memory});
+                        .initialised = declaration.initialised,
+                        .declared = role != CellRole::Memory,
+                        .made = declaration.made});
   }
 
   void declare_element(const AstDeclaration& declaration) {
@@ -164,12 +187,15 @@ class PostfixBuilder {
            "there is no element of kind " + quoted(declaration.name));
       return;
     }
-    const InstanceId id =
-        program_.instances.add({.kind = &*kind,
-                                .index = declaration.index,
-                                .name = std::string(kind->letter) + "(" +
-                                        std::to_string(declaration.index) + ")",
-                                .where = declaration.where});
+    std::string name(declaration.instance);
+    if (name.empty()) {
+      name = std::string(kind->letter) + "(" +
+             std::to_string(declaration.index) + ")";
+    }
+    const InstanceId id = program_.instances.add({.kind = &*kind,
+                                                  .index = declaration.index,
+                                                  .name = std::move(name),
+                                                  .where = declaration.where});
     for (const ElementOperation& operation : kind->operations) {
       elements_[operation.name].emplace(declaration.index,
                                         Element{id, &operation});
@@ -189,7 +215,7 @@ class PostfixBuilder {
       const AstNode& node = ast_.nodes[at];
       calls[at + 1] = calls[at] + (is_element_call(node) ? 1U : 0U);
       if (is_element_call(node)) {
-        const std::uint32_t immediates = immediates_of(node);
+        const std::uint32_t immediates = immediates_of(ast_.dialect, node);
         for (std::uint32_t i = 1; i <= immediates; ++i) {
           immediate_[at - i] = true;
         }
@@ -332,7 +358,7 @@ class PostfixBuilder {
 
   void build_call(std::uint32_t at) {
     const AstNode& node = ast_.nodes[at];
-    const std::uint32_t immediates = immediates_of(node);
+    const std::uint32_t immediates = immediates_of(ast_.dialect, node);
     const Element* element =
         immediates == 0
             ? nullptr
@@ -347,13 +373,16 @@ class PostfixBuilder {
                      .operation = element->operation,
                      .where = node.where};
     for (std::size_t i = first; i < operands_.size(); ++i) {
-      expect(operands_[i], Type::Bit, program_.nodes[operands_[i]].where);
+      expect(operands_[i], operand_type(*element->operation, i - first),
+             program_.nodes[operands_[i]].where);
       call.arguments.push_back(operands_[i]);
     }
     if (failed_) return;
+    const Type result = call.operation->word ? Type::Word : Type::Bit;
     if (immediates == 2) take_preset(ast_.nodes[at - 1].text, call);
     operands_.resize(first);
     operands_.push_back(append({.op = NodeOp::Call,
+                                .type = result,
                                 .call = program_.calls.add(std::move(call)),
                                 .where = node.where}));
   }

@@ -244,7 +244,9 @@ void ProgramBuilder::add_plant() {
 
 Program build_program(const Ast& ast, const BuildOptions& options,
                       DiagnosticSink& sink) {
-  if (ast.language == "postfix") return build_postfix(ast, sink);
+  const bool declares_all =
+      ast.language == "postfix" || ast.language == "il-iec";
+  if (declares_all) return build_postfix(ast, sink);
   ErrorLimit errors(sink);
   Program program = ProgramBuilder(ast, options, errors).run();
   errors.finish();

@@ -5,6 +5,7 @@
 #include <string>
 #include <string_view>
 
+#include "frontend/il_iec/reader.h"
 #include "frontend/postfix/reader.h"
 #include "frontend/recognise.h"
 #include "frontend/script/reader.h"
@@ -44,9 +45,29 @@ const Language* choose_language(const Input& input, const Options& options,
   return language;
 }
 
+/// Instruction lists have one meaning, that of the standard.
+void check_iec_options(const Input& input, const Options& options,
+                       DiagnosticSink& sink) {
+  if (!options.dialect.empty()) {
+    sink.report(file_error(input.file, "RP075",
+                           "this is an instruction list: `--dialect` is for "
+                           "scripts"));
+  }
+  if (!options.semantics.empty() && options.semantics != "iec") {
+    sink.report(file_error(input.file, "RP076",
+                           fmt::format("there are no semantics `{}` for this "
+                                       "language: the preset is `iec`",
+                                       options.semantics)));
+  }
+}
+
 /// The dialect that the options ask for; empty: the text decides.
-std::string_view choose_dialect(const Input& input, const Options& options,
-                                DiagnosticSink& sink) {
+std::string_view choose_dialect(const Input& input, const Language& language,
+                                const Options& options, DiagnosticSink& sink) {
+  if (language.name == "il-iec") {
+    check_iec_options(input, options, sink);
+    return {};
+  }
   const auto known = [](std::string_view name) {
     return name.empty() || name == "yun" || name == "sim";
   };
@@ -99,6 +120,9 @@ Ast read(const Input& input, const Language& language, std::string_view dialect,
   if (language.name == "postfix") {
     return read_postfix(sources, input.file, sink);
   }
+  if (language.name == "il-iec") {
+    return read_il_iec(sources, input.file, sink);
+  }
   return read_script(sources, input.file, dialect, sink);
 }
 
@@ -111,7 +135,8 @@ std::shared_ptr<Program> build(const Input& input, const Options& options,
   const Language* language = choose_language(input, options, text, errors);
   if (language == nullptr) return nullptr;
   report.language = language->name;
-  const std::string_view dialect = choose_dialect(input, options, errors);
+  const std::string_view dialect =
+      choose_dialect(input, *language, options, errors);
   if (errors.has_errors()) return nullptr;
   const Ast ast = read(input, *language, dialect, sources, errors);
   report.dialect = ast.dialect;

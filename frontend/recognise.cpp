@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 
+#include "frontend/il_iec/reader.h"
 #include "frontend/postfix/reader.h"
 
 namespace rung {
@@ -105,11 +106,6 @@ bool is_mitsubishi(std::string_view text) {
   return false;
 }
 
-bool is_iec_list(std::string_view text) {
-  const std::string_view line = first_line(text);
-  return starts_word(line, "LD") || starts_word(line, "LDN");
-}
-
 /// Ladders that are drawn with characters.
 bool is_ascii_ladder(std::string_view text) {
   const std::string_view line = first_line(text);
@@ -124,9 +120,9 @@ constexpr std::array kLanguages = {
     Language{"ldmicro", false, is_ldmicro},
     Language{"plcopen", false, is_plcopen},
     Language{"plclib", false, is_plclib},
-    Language{"st", false, is_structured_text},
     Language{"il-mitsubishi", false, is_mitsubishi},
-    Language{"il-iec", false, is_iec_list},
+    Language{"il-iec", true, is_il_iec},
+    Language{"st", false, is_structured_text},
     Language{"ascii", false, is_ascii_ladder},
     Language{"script", true, is_script},
 };

@@ -1,6 +1,7 @@
 #include <utility>
 
 #include "analysis/rules/clash.h"
+#include "analysis/rules/jumped_over.h"
 #include "analysis/rules/support.h"
 
 namespace rung {
@@ -66,9 +67,11 @@ void check(RuleRun& run) {
     const std::uint32_t parent = run.index.parent[i];
     const bool is_root = parent == ProgramIndex::kNone;
     if (!is_root && run.program.nodes[parent].op == op) continue;
+    const RungId rung(run.index.rung_of[i]);
+    if (is_jumped_over(run.program, run.program.rungs[rung])) continue;
     const Clash clash = find_clash(run.program, i, op);
     if (clash.second != Clash::kNone) {
-      run.explain(RungId(run.index.rung_of[i]));
+      run.explain(rung);
       run.report(run.program.nodes[clash.second].where,
                  op == NodeOp::And
                      ? "this contact contradicts another one in series with it"

@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "analysis/rules/jumped_over.h"
+
 namespace rung {
 namespace {
 
@@ -32,6 +34,17 @@ constexpr std::size_t kMostReads = 8;
 
 }  // namespace
 
+bool is_jumped_over(const Program& program, const Rung& rung) {
+  const Node& root = program.nodes[rung.root()];
+  if (root.op != NodeOp::Or) return false;
+  const Node& kept = program.nodes[root.b];
+  if (kept.op != NodeOp::And) return false;
+  const Node& condition = program.nodes[kept.a];
+  if (condition.op != NodeOp::Not) return false;
+  const Node& read = program.nodes[condition.a];
+  return read.op == NodeOp::Read && program.cells[read.cell].made;
+}
+
 std::vector<Latch> find_latches(const Program& program,
                                 const ProgramIndex& index) {
   std::vector<Latch> latches;
@@ -39,6 +52,7 @@ std::vector<Latch> find_latches(const Program& program,
     if (!index.reads_itself[id.index()]) continue;
     const Rung& rung = program.rungs[id];
     if (program.cells[rung.target].type != Type::Bit) continue;
+    if (is_jumped_over(program, rung)) continue;
     Latch best;
     std::size_t tried = 0;
     for (std::uint32_t i = rung.begin; i < rung.end; ++i) {

@@ -36,6 +36,7 @@ bool beside_literal(const RuleRun& run, std::uint32_t node) {
 }
 
 void check(RuleRun& run) {
+  if (run.program.language == "il-iec") return;  // its types are declared
   const std::vector<Node>& nodes = run.program.nodes;
   for (std::uint32_t i = 0; i < nodes.size(); ++i) {
     const Node& node = nodes[i];

@@ -3,6 +3,7 @@
 #include <utility>
 #include <vector>
 
+#include "analysis/rules/jumped_over.h"
 #include "analysis/rules/support.h"
 
 namespace rung {
@@ -140,6 +141,7 @@ void ask_rung(RuleRun& run, const Rung& rung, const Report& report) {
 void ask_redundant(RuleRun& run, const Report& report) {
   if (!run.has_oracle) return;
   for (const Rung& rung : run.program.rungs) {
+    if (is_jumped_over(run.program, rung)) continue;
     if (run.program.cells[rung.target].type == Type::Bit &&
         is_looked_at(run, rung)) {
       ask_rung(run, rung, report);

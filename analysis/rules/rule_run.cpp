@@ -32,9 +32,26 @@ RuleRun::RuleRun(const RuleContext& context, DiagnosticSink& sink,
       oracle_(oracle_of(context, budget)),
       budget_(budget),
       explained_(context.program.rungs.size()),
-      dead_(context.program.calls.size()) {}
+      dead_(context.program.calls.size()) {
+  for (const Cell& cell : program.cells) {
+    if (cell.made) made_.insert(cell.name);
+  }
+}
+
+/// Does it name a cell that the text does not? Nobody can act on that.
+bool RuleRun::names_made_cell(std::string_view message) const {
+  if (made_.empty()) return false;
+  for (std::size_t at = message.find('`'); at != message.npos;) {
+    const std::size_t end = message.find('`', at + 1);
+    if (end == message.npos) return false;
+    if (made_.contains(message.substr(at + 1, end - at - 1))) return true;
+    at = message.find('`', end + 1);
+  }
+  return false;
+}
 
 void RuleRun::report(SourceRange where, std::string message, Details details) {
+  if (names_made_cell(message)) return;
   sink_.report(
       {.code = rule_->code,
        .severity = details.downgrade ? Severity::Note : rule_->severity,

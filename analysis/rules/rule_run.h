@@ -4,6 +4,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <unordered_set>
 #include <vector>
 
 #include "analysis/rule.h"
@@ -78,6 +79,7 @@ class RuleRun {
     Judge judge;
   };
 
+  bool names_made_cell(std::string_view message) const;
   void enumerate_all(std::vector<Evidence>& answers) const;
   void sample_proofs(std::vector<Evidence>& answers);
   void ask_oracle(std::vector<Evidence>& answers) const;
@@ -88,8 +90,9 @@ class RuleRun {
   RuleBudget budget_;
   RuleSummary summary_;
   const Rule* rule_ = nullptr;
-  std::vector<bool> explained_;  // by rung
-  std::vector<bool> dead_;       // by call
+  std::unordered_set<std::string_view> made_;  // names of cells
+  std::vector<bool> explained_;                // by rung
+  std::vector<bool> dead_;                     // by call
   std::vector<Question> questions_;
   std::vector<ExprId> conditions_;
 };

@@ -14,6 +14,7 @@ class Lister {
 
   std::optional<Listing> run() {
     check_header();
+    if (failed_) return std::nullopt;
     number_cells();
     check_slots();
     take_notes();

@@ -36,7 +36,16 @@ constexpr std::string_view kClearedBelow =
 constexpr std::string_view kSlack =
     "bounds may be wider than the values: engines only use more bits";
 
-constexpr std::array<Equivalent, 7> kEquivalent = {{
+constexpr std::string_view kAtPreset =
+    "where the elapsed time equals the preset both choices are the same";
+
+constexpr std::array<Equivalent, 13> kEquivalent = {{
+    {"ton, TON.ET is `elapsed <= p ? elapsed : p`", kAtPreset},
+    {"ton, TON.ET is `elapsed < (p + 1) ? elapsed : p`", kAtPreset},
+    {"tof, TOF.ET is `elapsed <= p ? elapsed : p`", kAtPreset},
+    {"tof, TOF.ET is `elapsed < (p + 1) ? elapsed : p`", kAtPreset},
+    {"tp, TP.ET is `elapsed <= p ? elapsed : p`", kAtPreset},
+    {"tp, TP.ET is `elapsed < (p + 1) ? elapsed : p`", kAtPreset},
     {"timer-yun, T, update 1: elapsed `!v && !started ? 0 : elapsed`",
      kNotStarted},
     {"timer-yun, T, update 1: elapsed `elapsed'`", kNotStarted},

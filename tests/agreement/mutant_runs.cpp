@@ -137,6 +137,17 @@ ProgramRun counts_to_the_limit() {
   return run;
 }
 
+/// Up from the smallest value of a CTUD, and down to it again.
+ProgramRun counts_to_the_floor() {
+  ProgramRun run{"CTUD at its floor", {}, {}};
+  run.read.program = single_block("ctud");
+  // CU CD R LD PV
+  run.stimulus =
+      levels(run.read.program, {"0100", "0011", "0000", "1000", "0000"});
+  for (StimulusStep& step : run.stimulus.steps) step.inputs.back() = -32768;
+  return run;
+}
+
 }  // namespace
 
 std::vector<ProgramRun> mutant_runs(std::uint64_t count) {
@@ -150,6 +161,7 @@ std::vector<ProgramRun> mutant_runs(std::uint64_t count) {
     if (run) runs.push_back(std::move(*run));
     runs.push_back(random_blocks(seed));
   }
+  runs.push_back(counts_to_the_floor());
   runs.push_back(counts_to_the_limit());
   runs.push_back(counts_down());
   return runs;

@@ -93,19 +93,28 @@ TEST_F(SystemTest, EveryElementDefinitionCompiles) {
       Program one;
       const CellId in = one.cells.add({.name = "I0", .role = CellRole::Input});
       const CellId out =
-          one.cells.add({.name = "Q0", .role = CellRole::Output});
+          one.cells.add({.name = "Q0",
+                         .type = operation.word ? Type::Word : Type::Bit,
+                         .role = CellRole::Output,
+                         .low = operation.word ? -32768 : 0,
+                         .high = operation.word ? 32767 : 1});
       one.nodes.push_back({.op = NodeOp::Read, .cell = in});
+      one.nodes.push_back(
+          {.op = NodeOp::Constant, .type = Type::Word, .value = 3});
       ElementCall call = {.operation = &operation, .parameter = 3};
       for (const ElementParameter& parameter : operation.parameters) {
         if (parameter.kind == ParameterKind::Bit) call.arguments.push_back(0);
+        if (parameter.kind == ParameterKind::Word) call.arguments.push_back(1);
       }
       call.instance = one.instances.add({.kind = &kind,
                                          .name = "E(0)",
                                          .clock_cap = 4,
                                          .largest_parameter = 3});
       const CallId id = one.calls.add(call);
-      one.nodes.push_back({.op = NodeOp::Call, .call = id});
-      one.rungs.add({.target = out, .begin = 0, .end = 2});
+      one.nodes.push_back({.op = NodeOp::Call,
+                           .type = operation.word ? Type::Word : Type::Bit,
+                           .call = id});
+      one.rungs.add({.target = out, .begin = 0, .end = 3});
       const TransitionSystem ts = build_transition_system(one);
       for (const State& state : ts.states) {
         ASSERT_TRUE(state.next.has_value()) << kind.id;

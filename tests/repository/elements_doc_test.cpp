@@ -50,7 +50,8 @@ void describe(const ElementKind& kind, std::string& out) {
   }
   for (const ElementOperation& operation : kind.operations) {
     out += "\n`" + std::string(operation.name) + "(" + operand_list(operation) +
-           ")`, step:\n\n```\n";
+           (operation.reads ? ")`, changes nothing:" : ")`, step:") +
+           "\n\n```\n";
     for (const ElementUpdate& update : operation.updates) {
       out += std::string(update.state);
       out += is_state(kind, update.state) ? "' = " : " = ";
@@ -59,8 +60,11 @@ void describe(const ElementKind& kind, std::string& out) {
     out += "result = " + std::string(operation.result) + "\n```\n";
   }
   if (!kind.done.empty()) {
-    out += "\nIn properties: `" + std::string(kind.letter) + "(n).q` is `" +
-           std::string(kind.done) + "`, `" + std::string(kind.letter) + "(n)." +
+    const std::string name = kind.dialect == "iec"
+                                 ? std::string("name")
+                                 : std::string(kind.letter) + "(n)";
+    out += "\nIn properties: `" + name + ".q` is `" + std::string(kind.done) +
+           "`, `" + name + "." +
            (kind.family == ElementFamily::Timer ? "elapsed" : "value") +
            "` is `" + std::string(kind.value) + "`.\n";
   }
@@ -74,7 +78,8 @@ std::string reference_page() {
       "This page is made from `analysis/elements.cpp`: a test compares the\n"
       "two, and `RUNG_UPDATE=1` writes it anew.\n\n"
       "`n` is the index: calls of one kind with one index share their state.\n"
-      "`p` is the time operand in ms (of `d` seconds) or the count operand.\n"
+      "`p` is the time operand in ms (`d` seconds, `PT`) or the count "
+      "operand.\n"
       "A primed name is the value after the lines above. `any` is a free bit:\n"
       "there the encoding allows more runs than the program has, which keeps\n"
       "proofs sound; traces are checked by the simulator in any case.\n\n";
