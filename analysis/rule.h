@@ -88,7 +88,7 @@ struct RuleBudget {
   std::size_t largest_system = 120'000;
   std::size_t proof_questions = 4096;        // in all, after sampling
   std::size_t witness_questions = 64;        // in all
-  std::uint64_t sampling_work = 40'000'000;  // term evaluations, about
+  std::uint64_t sampling_work = 15'000'000;  // term evaluations, about
 };
 
 /// What the solver rules did: a summary may say it.

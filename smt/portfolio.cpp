@@ -342,9 +342,7 @@ void Portfolio::sketch() {
   induction(0, false, {20000, kFirstRounds});
   induction(1, false, {});
   if (any_sought(Sought::All))
-    simulate(kPreludeSteps, any_doubtful(), Sought::All);
-  if (any_doubtful()) guess_lemmas();
-  if (any_doubtful() && !invariant_.lemmas.empty()) induction(1, true, {});
+    simulate(kPreludeSteps, false, Sought::All);
   for (Target* target : targets_) {
     if (!target->met || !is_sought(*target, Sought::Hidden)) continue;
     target->status = Target::Status::Reached;
