@@ -58,6 +58,13 @@ class SourceFile {
 /// text stay valid as long as the set lives.
 class SourceSet {
  public:
+  SourceSet() = default;
+  // A copy would have other texts than those that views point into.
+  SourceSet(const SourceSet&) = delete;
+  SourceSet& operator=(const SourceSet&) = delete;
+  SourceSet(SourceSet&&) = default;
+  SourceSet& operator=(SourceSet&&) = default;
+
   FileId add(std::string path, std::string text);
   const SourceFile& operator[](FileId id) const { return files_[id.index()]; }
   std::size_t size() const { return files_.size(); }
