@@ -72,12 +72,13 @@ enum class NodeOp : std::uint8_t {
 
 /// One node of a rung's expression, in postorder: operands stand before it.
 ///
-/// Branch is a marker without a value. Invariant: its `a` is the left operand of
-/// the And or Or at `target` (an index into Program::nodes), so it equals that
-/// node's `a`, and the marker stands right after it. When the value of `a` is
-/// `skip_when`, the nodes between the marker and `target` are not executed and
-/// the And/Or has the value of `a`. Readers emit it for short-circuit languages,
-/// and only where the right operand has an element call: no run can tell else.
+/// Branch is a marker without a value. Invariant: its `a` is the left operand
+/// of the And or Or at `target` (an index into Program::nodes), so it equals
+/// that node's `a`, and the marker stands right after it. When the value of `a`
+/// is `skip_when`, the nodes between the marker and `target` are not executed
+/// and the And/Or has the value of `a`. Readers emit it for short-circuit
+/// languages, and only where the right operand has an element call: no run can
+/// tell else.
 struct Node {
   NodeOp op = NodeOp::Constant;
   Type type = Type::Bit;

@@ -33,7 +33,8 @@ Printable printable(const Character& character, std::string_view bytes,
                     std::size_t column);
 std::string printable(std::string_view text);
 
-/// How many bytes from `at` are plain ASCII: printed as they are, a column each.
+/// How many bytes from `at` are plain ASCII: printed as they are, a column
+/// each.
 std::size_t plain_bytes(std::string_view text, std::size_t at);
 
 /// The columns that printable(text) takes.

@@ -341,8 +341,7 @@ void Portfolio::sketch() {
   structural();
   induction(0, false, {20000, kFirstRounds});
   induction(1, false, {});
-  if (any_sought(Sought::All))
-    simulate(kPreludeSteps, false, Sought::All);
+  if (any_sought(Sought::All)) simulate(kPreludeSteps, false, Sought::All);
   for (Target* target : targets_) {
     if (!target->met || !is_sought(*target, Sought::Hidden)) continue;
     target->status = Target::Status::Reached;
