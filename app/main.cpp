@@ -6,6 +6,7 @@
 
 #include "app/commands.h"
 #include "app/options.h"
+#include "base/heap.h"
 
 namespace rung {
 namespace {
@@ -25,6 +26,7 @@ int run(int argc, char** argv) {
   const auto parsed = parse_options(argc, argv);
   if (const int* status = std::get_if<int>(&parsed)) return *status;
   const auto& options = std::get<Options>(parsed);
+  prepare_heap();
   for (const Command& command : kCommands) {
     if (command.name == options.command) return command.run(options);
   }
