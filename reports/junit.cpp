@@ -7,6 +7,7 @@
 #include "reports/cone.h"
 #include "reports/explain.h"
 #include "reports/locate.h"
+#include "reports/markup.h"
 #include "reports/paint.h"
 #include "reports/paths.h"
 #include "reports/scan_table.h"
@@ -20,30 +21,14 @@ std::string xml(std::string_view text) {
   std::string out;
   for (const char c : valid_utf8(text)) {
     const auto byte = static_cast<unsigned char>(c);
-    switch (c) {
-      case '&':
-        out += "&amp;";
-        break;
-      case '<':
-        out += "&lt;";
-        break;
-      case '>':
-        out += "&gt;";
-        break;
-      case '"':
-        out += "&quot;";
-        break;
-      case '\n':
-      case '\r':
-      case '\t':
-        out += fmt::format("&#{};", byte);
-        break;
-      default:
-        if (byte < 0x20) {
-          out += fmt::format("\\x{:02x}", byte);
-        } else {
-          out += c;
-        }
+    if (const std::string_view entity = entity_of(c); !entity.empty()) {
+      out += entity;
+    } else if (c == '\n' || c == '\r' || c == '\t') {
+      out += fmt::format("&#{};", byte);
+    } else if (byte < 0x20) {
+      out += fmt::format("\\x{:02x}", byte);
+    } else {
+      out += c;
     }
   }
   return out;

@@ -16,29 +16,31 @@ bool is_no_character(const Character& character) {
 
 void append_escaped(std::string_view text, std::string& out) {
   for (const char c : text) {
-    switch (c) {
-      case '&':
-        out += "&amp;";
-        break;
-      case '<':
-        out += "&lt;";
-        break;
-      case '>':
-        out += "&gt;";
-        break;
-      case '"':
-        out += "&quot;";
-        break;
-      case '\'':
-        out += "&#39;";
-        break;
-      default:
-        out += c;
+    const std::string_view entity = c == '\'' ? "&#39;" : entity_of(c);
+    if (entity.empty()) {
+      out += c;
+    } else {
+      out += entity;
     }
   }
 }
 
 }  // namespace
+
+std::string_view entity_of(char c) {
+  switch (c) {
+    case '&':
+      return "&amp;";
+    case '<':
+      return "&lt;";
+    case '>':
+      return "&gt;";
+    case '"':
+      return "&quot;";
+    default:
+      return {};
+  }
+}
 
 std::string markup(std::string_view text) {
   return markup(text, std::numeric_limits<std::size_t>::max());

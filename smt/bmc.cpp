@@ -28,35 +28,29 @@ void BoundedSearch::extend(std::uint32_t depth) {
 BoundedSearch::Result BoundedSearch::search(std::uint32_t depth,
                                             const std::vector<AigLit>& targets,
                                             std::int64_t conflicts) {
-  extend(depth);
-  goals_.clear();
-  AigLit any = kAigFalse;
-  for (AigLit target : targets) {
-    goals_.push_back(copied(depth - 1, target));
-    any = frames_.aig().disjunction(any, goals_.back());
-  }
-  return solve(any, depth, conflicts);
+  return search_frames(depth - 1, depth, targets, conflicts);
 }
 
 BoundedSearch::Result BoundedSearch::search_within(
     std::uint32_t depth, const std::vector<AigLit>& targets,
     std::int64_t conflicts) {
+  return search_frames(0, depth, targets, conflicts);
+}
+
+BoundedSearch::Result BoundedSearch::search_frames(
+    std::uint32_t first, std::uint32_t depth,
+    const std::vector<AigLit>& targets, std::int64_t conflicts) {
   extend(depth);
   goals_.clear();
   AigLit any = kAigFalse;
   for (AigLit target : targets) {
     AigLit goal = kAigFalse;
-    for (std::uint32_t frame = 0; frame < depth; ++frame) {
+    for (std::uint32_t frame = first; frame < depth; ++frame) {
       goal = frames_.aig().disjunction(goal, copied(frame, target));
     }
     goals_.push_back(goal);
     any = frames_.aig().disjunction(any, goal);
   }
-  return solve(any, depth, conflicts);
-}
-
-BoundedSearch::Result BoundedSearch::solve(AigLit any, std::uint32_t depth,
-                                           std::int64_t conflicts) {
   if (any == kAigFalse) return {};
   // Rewriting may have left a goal out of the cone of `any`.
   for (AigLit goal : goals_) clauses_.literal(goal);

@@ -41,7 +41,10 @@ class BoundedSearch {
 
  private:
   void extend(std::uint32_t depth);
-  Result solve(AigLit any, std::uint32_t depth, std::int64_t conflicts);
+  /// A target at the end of a frame from `first` on, in a run of `depth` steps.
+  Result search_frames(std::uint32_t first, std::uint32_t depth,
+                       const std::vector<AigLit>& targets,
+                       std::int64_t conflicts);
   Run decode(std::uint32_t depth);
   std::int64_t value(std::uint32_t frame, const Word& word);
   AigLit copied(std::uint32_t frame, AigLit of) {

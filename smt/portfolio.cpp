@@ -155,10 +155,9 @@ void Portfolio::simulate(std::uint32_t steps, bool sample, Sought wanted) {
   std::uint32_t idle = 0;  // steps that met nothing new
   for (std::uint32_t i = 0; i < steps && !out_of_time(); ++i) {
     simulation_->step();
-    if (sample && i < kSimulated) templates_->sample(*simulation_);
+    if (sample) templates_->sample(*simulation_);
     idle = note_hits() || simulation_->news() ? 0 : idle + 1;
-    if (idle < idle_steps(wanted)) continue;
-    if (!sample || i >= kSimulated) break;
+    if (!sample && idle >= idle_steps(wanted)) break;
   }
 }
 

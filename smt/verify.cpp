@@ -4,7 +4,6 @@
 #include <array>
 #include <chrono>
 #include <map>
-#include <set>
 #include <unordered_map>
 #include <utility>
 
@@ -154,12 +153,18 @@ class Verifier {
                      [&](const Claim& a, const Claim& b) {
                        return hit(a).step > hit(b).step;
                      });
-    std::set<std::pair<std::uint32_t, std::uint32_t>> runs;
-    for (const Claim& claim : open) {
-      if (scans > confirming_scans()) break;
-      if (verdicts_.is_confirmed(claim)) continue;
-      if (!runs.emplace(hit(claim).step, hit(claim).lane).second) continue;
-      try_run(random.run(hit(claim).step, hit(claim).lane), open);
+    const auto confirmed = [&](const Claim& claim) {
+      return verdicts_.is_confirmed(claim);
+    };
+    std::erase_if(open, confirmed);
+    while (!open.empty() && scans <= confirming_scans()) {
+      const RandomHit longest = hit(open.front());
+      try_run(random.run(longest.step, longest.lane), open);
+      std::erase_if(open, [&](const Claim& claim) {
+        const RandomHit& own = hit(claim);
+        return confirmed(claim) ||
+               (own.step == longest.step && own.lane == longest.lane);
+      });
     }
   }
 

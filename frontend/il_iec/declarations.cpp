@@ -33,7 +33,7 @@ class Reader {
                      [&](const Section& it) { return it.word == word; });
     if (row == kSections.end()) {
       error("RP041", cursor_.range(token),
-            quoted(cursor_.text(token)) +
+            quoted_excerpt(cursor_.text(token)) +
                 " is not supported: blocks are VAR, VAR_INPUT and VAR_OUTPUT");
       return skip_section();
     }
@@ -45,7 +45,7 @@ class Reader {
     } else if (cursor_.at(TokenKind::Word) &&
                cursor_.word().ends_with("RETAIN")) {
       error("RP041", cursor_.range(cursor_.peek()),
-            quoted(cursor_.text(cursor_.peek())) +
+            quoted_excerpt(cursor_.text(cursor_.peek())) +
                 " is not supported: values start anew at power-up");
       cursor_.take();
     }
@@ -53,7 +53,7 @@ class Reader {
       cursor_.skip_line_ends();
       if (cursor_.at(TokenKind::End)) {
         return error("RP042", cursor_.range(token),
-                     quoted(cursor_.text(token)) + " has no END_VAR");
+                     quoted_excerpt(cursor_.text(token)) + " has no END_VAR");
       }
       if (cursor_.word() == "END_VAR") {
         cursor_.take();
@@ -141,8 +141,8 @@ class Reader {
       std::vector<std::string_view> known = {"BOOL", "INT", "TIME"};
       for (const Block& block : blocks()) known.push_back(block.name);
       error("RP041", cursor_.range(type),
-            "the type " + quoted(cursor_.text(type)) + " is not supported" +
-                did_you_mean(word, known) +
+            "the type " + quoted_excerpt(cursor_.text(type)) +
+                " is not supported" + did_you_mean(word, known) +
                 ": types are BOOL, INT, TIME and the standard function blocks");
       return recover();
     }
@@ -192,12 +192,12 @@ class Reader {
   bool is_new(const Token& name, const std::string& key) {
     if (is_operator(key) || key == "TRUE" || key == "FALSE") {
       error("RP042", cursor_.range(name),
-            quoted(cursor_.text(name)) + " is a reserved word");
+            quoted_excerpt(cursor_.text(name)) + " is a reserved word");
       return false;
     }
     if (!names_.is_known(key)) return true;
     error("RP042", cursor_.range(name),
-          quoted(cursor_.text(name)) + " is declared a second time",
+          quoted_excerpt(cursor_.text(name)) + " is declared a second time",
           {{names_.place_of(key), "it is declared here"}});
     return false;
   }
@@ -247,13 +247,13 @@ class Reader {
     const char size = kind == Kind::Bool ? 'X' : 'W';
     if (address.empty() || address[2] != size || kind == Kind::Time) {
       error("RP044", where,
-            quoted(text) + " is no address of a " +
+            quoted_excerpt(text) + " is no address of a " +
                 std::string(to_string(kind)) +
                 ": %IX0.0 and the like for BOOL, %IW0 for INT");
       return false;
     }
     if (const std::string* const other = names_.at_address(address)) {
-      error("RP044", where, quoted(text) + " has a variable already",
+      error("RP044", where, quoted_excerpt(text) + " has a variable already",
             {{names_.place_of(*other), "it is declared here"}});
       return false;
     }
@@ -267,7 +267,8 @@ class Reader {
                                              : Role::Memory;
     if (role_ != Role::Memory && role_ != by_area) {
       error("RP044", where,
-            quoted(text) + " does not fit the block of variables it is in");
+            quoted_excerpt(text) +
+                " does not fit the block of variables it is in");
       return false;
     }
     role = by_area;

@@ -187,14 +187,4 @@ std::string upper(std::string_view word) {
   return result;
 }
 
-std::string quoted(std::string_view text) {
-  constexpr std::size_t kLongest = 40;
-  if (text.size() <= kLongest) return "`" + std::string(text) + "`";
-  std::size_t end = kLongest;
-  while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xc0U) == 0x80) {
-    --end;
-  }
-  return "`" + std::string(text.substr(0, end)) + "...`";
-}
-
 }  // namespace rung::il_iec

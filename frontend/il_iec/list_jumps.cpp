@@ -21,7 +21,7 @@ void ListParser::find_labels(std::string_view end_word) {
         upper(cursor_.text(token)), Label{position, cursor_.range(token), {}});
     if (is_new) continue;
     errors_.error("RP046", cursor_.range(token),
-                  "the label " + quoted(cursor_.text(token)) +
+                  "the label " + quoted_excerpt(cursor_.text(token)) +
                       " stands here a second time",
                   {{entry->second.where, "it stands here first"}});
   }
@@ -70,8 +70,8 @@ void ListParser::jump(const Operator& op, SourceRange where) {
     const std::string word = cursor_.word();
     if (word.empty()) {
       return fail("RP046", cursor_.range(cursor_.peek()),
-                  quoted(op.name) + " needs a label and is followed by " +
-                      cursor_.shown());
+                  quoted_excerpt(op.name) +
+                      " needs a label and is followed by " + cursor_.shown());
     }
     const Token& token = cursor_.take();
     where = cover(where, cursor_.range(token));
@@ -83,7 +83,7 @@ void ListParser::jump(const Operator& op, SourceRange where) {
       }
       std::sort(known.begin(), known.end());
       return fail("RP046", cursor_.range(token),
-                  "there is no label " + quoted(cursor_.text(token)) +
+                  "there is no label " + quoted_excerpt(cursor_.text(token)) +
                       suggestion(word, known));
     }
     if (found->second.position < cursor_.position()) {

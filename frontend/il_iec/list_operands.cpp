@@ -27,7 +27,7 @@ std::string pin_list(const Block& block) {
 }
 
 std::string no_pin(const Block& block, std::string_view name) {
-  return "a " + std::string(block.name) + " has no " + quoted(name) +
+  return "a " + std::string(block.name) + " has no " + quoted_excerpt(name) +
          ": it has " + pin_list(block);
 }
 
@@ -50,7 +50,7 @@ std::optional<Value> ListParser::operand() {
       const auto time = milliseconds_of(cursor_.text(cursor_.take()));
       if (!time) {
         fail("RP043", where,
-             quoted(cursor_.text(token)) +
+             quoted_excerpt(cursor_.text(token)) +
                  " is no time: T#1h2m3s4ms, in whole milliseconds, up to 24 "
                  "days");
         return std::nullopt;
@@ -131,7 +131,7 @@ std::optional<Value> ListParser::pin_operand(Instance& instance,
   const Block& block = *instance.block;
   if (!cursor_.at(TokenKind::Dot) || !cursor_.at(TokenKind::Word, 1)) {
     fail("RP049", cursor_.range(first),
-         quoted(instance.name) + " is a " + std::string(block.name) +
+         quoted_excerpt(instance.name) + " is a " + std::string(block.name) +
              ": name an output of it, such as `" + std::string(instance.name) +
              "." + std::string(block.outputs.front().name) + "`");
     return std::nullopt;
@@ -160,12 +160,13 @@ Cell* ListParser::use(std::string_view text, const std::string& key, Kind kind,
   if (Cell* const cell = names_.find_cell(key)) return cell;
   const bool address = key.front() == '%';
   if (!address && !by_use_) {
-    fail("RP041", where, quoted(text) + " is not declared" + suggestion(text));
+    fail("RP041", where,
+         quoted_excerpt(text) + " is not declared" + suggestion(text));
     return nullptr;
   }
   if (!address && cursor_.at(TokenKind::Dot)) {
     fail("RP041", where,
-         quoted(text) +
+         quoted_excerpt(text) +
              " is not declared: a function block needs a "
              "declaration, VAR " +
              std::string(text.substr(0, 40)) + " : TON; END_VAR");
@@ -188,7 +189,7 @@ Cell* ListParser::cell_of(const Token& token) {
   const std::string key = address_key(text);
   if (key.empty()) {
     fail("RP044", where,
-         quoted(text) +
+         quoted_excerpt(text) +
              " is no address that is supported: bits are %IX0.0, "
              "%QX0.0 and %MX0.0, words %IW0, %QW0 and %MW0");
     return nullptr;
@@ -229,7 +230,7 @@ Cell* ListParser::cell_here(const Token& first, SourceRange& where,
   if (cell == nullptr) return nullptr;
   if (cell->input || cell->constant) {
     fail("RP044", where,
-         quoted(cell->name) +
+         quoted_excerpt(cell->name) +
              (cell->input ? " is an input" : " is a constant") +
              ": no instruction can write it");
     return nullptr;
@@ -242,7 +243,7 @@ Cell* ListParser::target_pin(Instance& instance, SourceRange& where,
   const Block& block = *instance.block;
   if (!cursor_.at(TokenKind::Dot) || !cursor_.at(TokenKind::Word, 1)) {
     fail("RP049", where,
-         quoted(instance.name) + " is a " + std::string(block.name) +
+         quoted_excerpt(instance.name) + " is a " + std::string(block.name) +
              ": name an input of it");
     return nullptr;
   }
@@ -254,7 +255,7 @@ Cell* ListParser::target_pin(Instance& instance, SourceRange& where,
   if (pin == nullptr) {
     const bool output = find_pin(block.outputs, name) != nullptr;
     fail("RP049", where,
-         output ? quoted(cursor_.text(member)) +
+         output ? quoted_excerpt(cursor_.text(member)) +
                       " is an output: only the block writes it"
                 : no_pin(block, cursor_.text(member)));
     return nullptr;
@@ -269,7 +270,7 @@ Instance* ListParser::instance_here() {
   if (instance == nullptr) {
     const bool word = token.kind == TokenKind::Word;
     fail("RP041", cursor_.range(token),
-         word ? quoted(cursor_.text(token)) +
+         word ? quoted_excerpt(cursor_.text(token)) +
                     " is not declared as a function block" +
                     suggestion(cursor_.text(token))
               : "expected a function block and found " + cursor_.shown());
@@ -299,8 +300,9 @@ void ListParser::give(Instance& instance, const Pin& pin, const Value& value,
   if (pin.name == "PT") return set_preset(instance, value, where);
   if (pin.kind != value.kind) {
     return fail("RP049", where,
-                quoted(pin.name) + " is a " + std::string(to_string(pin.kind)) +
-                    " and is given a " + std::string(to_string(value.kind)));
+                quoted_excerpt(pin.name) + " is a " +
+                    std::string(to_string(pin.kind)) + " and is given a " +
+                    std::string(to_string(value.kind)));
   }
   writer_.assign(names_.pin(instance, pin, where), where, value.nodes, where);
 }
@@ -309,7 +311,7 @@ void ListParser::execute(Instance& instance, SourceRange where) {
   const bool timer = find_pin(instance.block->inputs, "PT") != nullptr;
   if (timer && !instance.preset) {
     return fail("RP045", where,
-                quoted(instance.name) +
+                quoted_excerpt(instance.name) +
                     " has no PT here: give it in the call, or above it and "
                     "behind no condition");
   }
@@ -409,7 +411,7 @@ void ListParser::argument(Instance& instance, std::size_t index,
     return fail("RP049", where,
                 "a " + std::string(block.name) + " has no " +
                     (input ? "input " : "output ") +
-                    quoted(cursor_.text(first)) + ": it has " +
+                    quoted_excerpt(cursor_.text(first)) + ": it has " +
                     pin_list(block));
   }
   for (std::size_t i = 0; i <= ahead; ++i) cursor_.take();
@@ -435,9 +437,9 @@ void ListParser::output_argument(const Pin& pin, std::vector<Output>& outputs) {
   if (target == nullptr) return;
   if (target->kind != pin.kind) {
     return fail("RP049", where,
-                quoted(target->name) + " is a " +
+                quoted_excerpt(target->name) + " is a " +
                     std::string(to_string(target->kind)) + ", and " +
-                    quoted(pin.name) + " is a " +
+                    quoted_excerpt(pin.name) + " is a " +
                     std::string(to_string(pin.kind)));
   }
   outputs.push_back({&pin, target, where});

@@ -186,7 +186,8 @@ const Operator* ListParser::take_operator(SourceRange& where) {
   }
   if (token.kind == TokenKind::Word) {
     fail("RP040", where,
-         quoted(cursor_.text(token)) + " is no operator of instruction lists" +
+         quoted_excerpt(cursor_.text(token)) +
+             " is no operator of instruction lists" +
              suggestion(word, operator_names()));
   } else {
     fail("RP040", where,
@@ -198,7 +199,7 @@ const Operator* ListParser::take_operator(SourceRange& where) {
 bool ListParser::plain(const Operator& op, SourceRange where) {
   if (frames_.empty()) return true;
   fail("RP047", where,
-       quoted(op.name) + " inside of parentheses is not supported");
+       quoted_excerpt(op.name) + " inside of parentheses is not supported");
   return false;
 }
 
@@ -251,7 +252,8 @@ void ListParser::instruction() {
       return pin_operator(*op, *instance, where);
     }
     case Unknown:
-      return fail("RP040", where, quoted(op->name) + " is not supported");
+      return fail("RP040", where,
+                  quoted_excerpt(op->name) + " is not supported");
   }
 }
 
@@ -322,7 +324,8 @@ void ListParser::apply(const Operator& op, Kind right, SourceRange where) {
   const bool bits = kind_ == Kind::Bool;
   if (kind_ != right) {
     return fail("RP049", where,
-                quoted(op.name) + " takes two of one type, and is given a " +
+                quoted_excerpt(op.name) +
+                    " takes two of one type, and is given a " +
                     std::string(to_string(kind_)) + " and a " +
                     std::string(to_string(right)));
   }
@@ -330,8 +333,8 @@ void ListParser::apply(const Operator& op, Kind right, SourceRange where) {
       (is_arithmetic(op.op) && kind_ != Kind::Int) ||
       (bits && !is_logic(op.op) && !is_equality(op.op))) {
     return fail("RP049", where,
-                quoted(op.name) + " of two " + std::string(to_string(kind_)) +
-                    " is not supported");
+                quoted_excerpt(op.name) + " of two " +
+                    std::string(to_string(kind_)) + " is not supported");
   }
   if (op.op == AstOp::Divide &&
       (stack_.back().op != AstOp::Number || stack_.back().text == "0")) {
@@ -366,8 +369,8 @@ void ListParser::store(const Operator& op, SourceRange where) {
   const Token first = cursor_.peek();
   if (first.kind != TokenKind::Word && first.kind != TokenKind::Address) {
     return fail("RP047", cursor_.range(first),
-                quoted(op.name) + " needs a variable and is followed by " +
-                    cursor_.shown());
+                quoted_excerpt(op.name) +
+                    " needs a variable and is followed by " + cursor_.shown());
   }
   SourceRange target_where;
   bool is_preset = false;
@@ -377,7 +380,7 @@ void ListParser::store(const Operator& op, SourceRange where) {
   if (is_preset) {
     Instance* const timer = names_.find_instance(upper(cursor_.text(first)));
     if (op.code != Store || op.negate) {
-      return fail("RP049", where, quoted(op.name) + " takes a BOOL");
+      return fail("RP049", where, quoted_excerpt(op.name) + " takes a BOOL");
     }
     return set_preset(*timer, {value(), kind_}, target_where);
   }
@@ -388,10 +391,11 @@ void ListParser::write(const Operator& op, Cell& cell, SourceRange target_where,
                        SourceRange where) {
   if (op.code != Store) return set_or_reset(op, cell, target_where, where);
   if (cell.kind != kind_) {
-    return fail(
-        "RP049", where,
-        quoted(cell.name) + " is a " + std::string(to_string(cell.kind)) +
-            ", and the current result is a " + std::string(to_string(kind_)));
+    return fail("RP049", where,
+                quoted_excerpt(cell.name) + " is a " +
+                    std::string(to_string(cell.kind)) +
+                    ", and the current result is a " +
+                    std::string(to_string(kind_)));
   }
   if (op.negate && kind_ != Kind::Bool) {
     return fail("RP049", where, "STN takes a BOOL");
@@ -409,7 +413,8 @@ void ListParser::set_or_reset(const Operator& op, Cell& cell,
                               SourceRange target_where, SourceRange where) {
   if (!known(where, Kind::Bool, op.name)) return;
   if (cell.kind != Kind::Bool) {
-    return fail("RP049", target_where, quoted(op.name) + " takes a BOOL");
+    return fail("RP049", target_where,
+                quoted_excerpt(op.name) + " takes a BOOL");
   }
   if (is_live()) keep_value(where);
   Expression stored;

@@ -55,7 +55,7 @@ class Cursor {
   std::string shown() const {
     if (at(TokenKind::End)) return "the end of the file";
     if (at(TokenKind::LineEnd)) return "the end of the line";
-    return quoted(text(peek()));
+    return quoted_excerpt(text(peek()));
   }
   std::size_t position() const { return at_; }
   void go_to(std::size_t position) { at_ = position; }

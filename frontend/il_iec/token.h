@@ -3,9 +3,8 @@
 #include <cstdint>
 #include <string>
 #include <string_view>
-#include <vector>
 
-#include "frontend/ast.h"
+#include "frontend/token_list.h"
 
 namespace rung::il_iec {
 
@@ -35,22 +34,8 @@ struct Token {
   std::uint32_t end = 0;
 };
 
-/// The tokens of a file; the last two are LineEnd and End.
-struct TokenList {
-  std::string_view text;
-  FileId file;
-  std::vector<Token> tokens;
-  std::vector<AstComment> comments;
-  std::vector<AstAnnotation> annotations;
-  SourceRange open_comment;  // a `(*` that is never closed
-
-  std::string_view text_of(const Token& token) const {
-    return text.substr(token.begin, token.end - token.begin);
-  }
-  SourceRange range_of(const Token& token) const {
-    return {file, token.begin, token.end};
-  }
-};
+/// The last two are LineEnd and End.
+using TokenList = TokenListOf<Token>;
 
 /// Splits a text into tokens. Comments are `(* *)`, which do not nest, and `//`
 /// to the line's end; those that begin with `@` are property lines. Linear.
@@ -58,8 +43,5 @@ TokenList tokenize(std::string_view text, FileId file);
 
 /// The same word in capitals: IEC names do not differ in case.
 std::string upper(std::string_view word);
-
-/// Text of the user's in a message: in backticks, cut when it is long.
-std::string quoted(std::string_view text);
 
 }  // namespace rung::il_iec

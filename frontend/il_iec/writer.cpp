@@ -160,7 +160,7 @@ void Writer::output(const Instance& instance, const Pin& pin,
   if (!first && !mentioned_.contains(std::string(pin.name))) return;
   if (pin.kind == Kind::Time && !guard_.empty()) {
     errors_->error("RP045", where,
-                   quoted(std::string(instance.name) + ".ET") +
+                   quoted_excerpt(std::string(instance.name) + ".ET") +
                        " of a call that a condition may skip is not supported");
     return;
   }

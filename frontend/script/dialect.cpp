@@ -53,9 +53,9 @@ std::string_view judge(const TokenList& list, const Evidence& first,
   if (!other.dialect.empty()) {
     errors.error(
         "RP004", list.range_of(other.token),
-        quoted(list.text_of(other.token)) + " is of the " +
+        quoted_excerpt(list.text_of(other.token)) + " is of the " +
             std::string(other.dialect) + " dialect and " +
-            quoted(list.text_of(first.token)) + " of the " +
+            quoted_excerpt(list.text_of(first.token)) + " of the " +
             std::string(first.dialect) +
             " dialect: say which with `--dialect` or `//@ dialect`",
         {{list.range_of(first.token), std::string(first.dialect) + " here"}});
@@ -102,18 +102,20 @@ std::string_view find_dialect(const TokenList& list, std::string_view given,
     text = trim_left(text.substr(8));
     const std::string_view named = dialect_named(text);
     if (named.empty() || (!declared.empty() && named != declared)) {
-      errors.error("RP004", line.where,
-                   named.empty()
-                       ? quoted(text) + " is no dialect: write `yun` or `sim`"
-                       : "the script is declared to be of both dialects");
+      errors.error(
+          "RP004", line.where,
+          named.empty()
+              ? quoted_excerpt(text) + " is no dialect: write `yun` or `sim`"
+              : "the script is declared to be of both dialects");
     }
     if (declared.empty()) declared = named;
   }
   if (!given.empty()) {
     const std::string_view named = dialect_named(given);
     if (!named.empty()) return named;
-    errors.error("RP004", {list.file, 0, 0},
-                 quoted(given) + " is no dialect: write `yun` or `sim`");
+    errors.error(
+        "RP004", {list.file, 0, 0},
+        quoted_excerpt(given) + " is no dialect: write `yun` or `sim`");
   }
   return declared.empty() ? recognise(list, errors) : declared;
 }

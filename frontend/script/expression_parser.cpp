@@ -111,7 +111,7 @@ bool is_reserved(std::string_view word) {
 
 void report_unexpected(const Cursor& cursor, const Token& token,
                        std::string_view expected, ErrorLimit& errors) {
-  const std::string seen = quoted(cursor.text(token));
+  const std::string seen = quoted_excerpt(cursor.text(token));
   const std::string meant = hint(cursor.text(token));
   const SourceRange where = cursor.range(token);
   switch (token.kind) {
@@ -225,13 +225,14 @@ bool ExpressionParser::read_name() {
     leaf(AstOp::Bool, token, text);
   } else if (after == TokenKind::Dot) {
     errors_->error("RP014", cursor_->range(token),
-                   "members of objects such as " + quoted(text) +
+                   "members of objects such as " + quoted_excerpt(text) +
                        " are not supported in expressions");
     failed_ = true;
     return false;
   } else if (is_reserved(text)) {
-    errors_->error("RP013", cursor_->range(token),
-                   quoted(text) + " cannot be used as a name" + hint(text));
+    errors_->error(
+        "RP013", cursor_->range(token),
+        quoted_excerpt(text) + " cannot be used as a name" + hint(text));
     failed_ = true;
     return false;
   } else if (after == TokenKind::Open) {
@@ -261,7 +262,8 @@ void ExpressionParser::missing_operand() {
   }
   const Token& before = cursor_->before();
   errors_->error("RP010", cursor_->range(before),
-                 "the rung ends after " + quoted(cursor_->text(before)) +
+                 "the rung ends after " +
+                     quoted_excerpt(cursor_->text(before)) +
                      ": expected a name, a number or `(`");
 }
 
@@ -320,7 +322,7 @@ void ExpressionParser::missing_close() {
   if (!ends_statement(token)) {
     errors_->error("RP010", cursor_->range(token),
                    "expected an operator or `)`, found " +
-                       quoted(cursor_->text(token)) +
+                       quoted_excerpt(cursor_->text(token)) +
                        hint(cursor_->text(token)));
     return;
   }
@@ -330,7 +332,8 @@ void ExpressionParser::missing_close() {
       });
   errors_->error("RP011", cursor_->range(open->token),
                  open->kind == Pending::Kind::Call
-                     ? "the call of " + quoted(cursor_->text(open->token)) +
+                     ? "the call of " +
+                           quoted_excerpt(cursor_->text(open->token)) +
                            " is not closed: expected `)`"
                      : "this `(` is not closed");
 }

@@ -368,17 +368,4 @@ TokenList tokenize(const SourceSet& sources, FileId file) {
   return Lexer(sources, file).run();
 }
 
-std::string quoted(std::string_view text) {
-  constexpr std::size_t kLongest = 40;
-  if (text.size() > kLongest) {
-    std::size_t cut = kLongest;
-    while (cut > 0 &&
-           (static_cast<unsigned char>(text[cut]) & 0xc0U) == 0x80U) {
-      --cut;
-    }
-    return "`" + std::string(text.substr(0, cut)) + "...`";
-  }
-  return "`" + std::string(text) + "`";
-}
-
 }  // namespace rung::script

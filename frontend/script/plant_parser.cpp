@@ -146,15 +146,15 @@ bool PlantParser::named_statement() {
     return call(token, *last);
   }
   if (member) {
-    errors().error(
-        "RP014", from(token, last->end),
-        "members of objects such as " + quoted(word) + " are not supported");
+    errors().error("RP014", from(token, last->end),
+                   "members of objects such as " + quoted_excerpt(word) +
+                       " are not supported");
     return false;
   }
   if (is_reserved(word) || word == "true" || word == "false") {
-    errors().error(
-        "RP014", cursor().range(token),
-        quoted(word) + " is not supported: a plant has assignments and `if`");
+    errors().error("RP014", cursor().range(token),
+                   quoted_excerpt(word) +
+                       " is not supported: a plant has assignments and `if`");
     if (cursor().at(TokenKind::Open)) skip_parentheses();
     return false;
   }
@@ -162,8 +162,8 @@ bool PlantParser::named_statement() {
     return assignment(token) && end_statement();
   }
   if (is_update(cursor().peek().kind)) return update(token);
-  report_unexpected(cursor(), cursor().peek(), "`=` after " + quoted(word),
-                    errors());
+  report_unexpected(cursor(), cursor().peek(),
+                    "`=` after " + quoted_excerpt(word), errors());
   return false;
 }
 
@@ -197,7 +197,7 @@ bool PlantParser::update(const Token& target) {
   const Token& sign = cursor().take();
   if (section_ == Section::Var) {
     errors().error("RP012", cursor().range(sign),
-                   "the operator " + quoted(cursor().text(sign)) +
+                   "the operator " + quoted_excerpt(cursor().text(sign)) +
                        " is not supported after `//Var`");
     return false;
   }
@@ -226,7 +226,7 @@ bool PlantParser::prefix_update() {
   if (target.kind != Name || section_ == Section::Var ||
       is_reserved(cursor().text(target))) {
     errors().error("RP012", cursor().range(sign),
-                   "the operator " + quoted(cursor().text(sign)) +
+                   "the operator " + quoted_excerpt(cursor().text(sign)) +
                        " is not supported here");
     return false;
   }
@@ -256,7 +256,8 @@ bool PlantParser::call(const Token& callee, const Token& last) {
   const SourceRange name = from(callee, last.end);
   if (is_element(cursor().text(callee))) {
     errors().error("RP014", name,
-                   "the plant cannot call " + quoted(cursor().text(callee)) +
+                   "the plant cannot call " +
+                       quoted_excerpt(cursor().text(callee)) +
                        ": timers and counters belong to rungs");
     return false;
   }
@@ -282,7 +283,7 @@ bool PlantParser::skip_arguments(const Token& callee) {
     const Token& token = cursor().peek();
     if (at_section_end()) {
       errors().error("RP011", cursor().range(callee),
-                     "the call of " + quoted(cursor().text(callee)) +
+                     "the call of " + quoted_excerpt(cursor().text(callee)) +
                          " is not closed: expected `)`");
       return false;
     }
@@ -314,7 +315,7 @@ bool PlantParser::check_argument(const Token& token) {
       calls_element || text == "function" || text == "=>") {
     errors().error(
         "RP014", cursor().range(token),
-        quoted(text) + " cannot stand in a call that is not executed");
+        quoted_excerpt(text) + " cannot stand in a call that is not executed");
     return false;
   }
   return true;
@@ -328,7 +329,7 @@ bool PlantParser::check_expression(const AstExpression& value) {
     errors().error(
         "RP014", node.where,
         node.op == AstOp::Call
-            ? "the plant cannot use the result of " + quoted(node.text)
+            ? "the plant cannot use the result of " + quoted_excerpt(node.text)
             : "texts are not supported in the plant");
     return false;
   }
@@ -363,7 +364,7 @@ void PlantParser::note_ignored(std::string_view name,
   errors().report({.code = "RP017",
                    .severity = Severity::Note,
                    .where = where,
-                   .message = "calls of " + quoted(name) +
+                   .message = "calls of " + quoted_excerpt(name) +
                               " are not executed: they only draw",
                    .labels = {}});
 }

@@ -45,7 +45,7 @@ void refuse_doubtful_sections(script::TokenList& list, ErrorLimit& errors) {
   for (const Token& token : list.tokens) {
     if (!doubtful(token)) continue;
     errors.error("RP015", list.range_of(token),
-                 script::quoted(list.text_of(token)) +
+                 quoted_excerpt(list.text_of(token)) +
                      " is nearly a section marker: write `//Var` or `//Sim` "
                      "alone or with a comma before the text, or other words");
   }

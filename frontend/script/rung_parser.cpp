@@ -48,7 +48,7 @@ void RungParser::rung() {
   const std::string_view name = cursor().text(token);
   if (is_reserved(name) || name == "true" || name == "false") {
     errors().error("RP013", cursor().range(token),
-                   quoted(name) +
+                   quoted_excerpt(name) +
                        " cannot be used in a rung: a rung is `name "
                        "= expression;`");
     recover();
@@ -77,8 +77,8 @@ void RungParser::assignment(const Token& target) {
 /// A name with something else than `=` behind it.
 void RungParser::no_assignment(const Token& target) {
   const Token& token = cursor().peek();
-  const std::string name = quoted(cursor().text(target));
-  const std::string seen = quoted(cursor().text(token));
+  const std::string name = quoted_excerpt(cursor().text(target));
+  const std::string seen = quoted_excerpt(cursor().text(token));
   if (at_section_end() || token.starts_line || token.kind == Semicolon) {
     errors().error("RP010", cursor().range(target),
                    "expected `=` after " + name +

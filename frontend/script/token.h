@@ -1,11 +1,8 @@
 #pragma once
 
 #include <cstdint>
-#include <string>
-#include <string_view>
-#include <vector>
 
-#include "frontend/ast.h"
+#include "frontend/token_list.h"
 
 namespace rung::script {
 
@@ -64,28 +61,11 @@ struct Token {
   std::uint32_t end = 0;
 };
 
-/// The tokens of a file; the last one is End.
-struct TokenList {
-  std::string_view text;
-  FileId file;
-  std::vector<Token> tokens;
-  std::vector<AstComment> comments;
-  std::vector<AstAnnotation> annotations;
-  SourceRange open_comment;  // a `/*` that is never closed
-
-  std::string_view text_of(const Token& token) const {
-    return text.substr(token.begin, token.end - token.begin);
-  }
-  SourceRange range_of(const Token& token) const {
-    return {file, token.begin, token.end};
-  }
-};
+/// The last one is End.
+using TokenList = TokenListOf<Token>;
 
 /// Splits a file into tokens. Precondition: check_text() found nothing.
 /// Never fails: what is no token is one of kind Unknown or Bad....
 TokenList tokenize(const SourceSet& sources, FileId file);
-
-/// Text of the user's in a message: in backticks, cut when it is long.
-std::string quoted(std::string_view text);
 
 }  // namespace rung::script

@@ -389,10 +389,10 @@ TEST(ScriptReader, AnyBytesGiveAnAnswer) {
 }
 
 TEST(ScriptReader, LongTextsAreCutInMessages) {
-  EXPECT_EQ(script::quoted("abc"), "`abc`");
-  EXPECT_EQ(script::quoted(repeat("a", 41)), "`" + repeat("a", 40) + "...`");
+  EXPECT_EQ(quoted_excerpt("abc"), "`abc`");
+  EXPECT_EQ(quoted_excerpt(repeat("a", 41)), "`" + repeat("a", 40) + "...`");
   // Not inside a character.
-  EXPECT_EQ(script::quoted(repeat("a", 39) + "\u00e9" + "bc"),
+  EXPECT_EQ(quoted_excerpt(repeat("a", 39) + "\u00e9" + "bc"),
             "`" + repeat("a", 39) + "...`");
 }
 

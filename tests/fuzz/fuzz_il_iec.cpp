@@ -5,26 +5,8 @@
 #include <cstdint>
 #include <string>
 
-#include "analysis/program.h"
+#include "checks.h"
 #include "frontend/il_iec/reader.h"
-
-namespace {
-
-void check(bool holds) {
-  if (!holds) __builtin_trap();
-}
-
-void check_diagnostics(const rung::SourceSet& sources,
-                       const rung::DiagnosticList& list) {
-  for (const rung::Diagnostic& item : list.items()) {
-    check(item.code.size() == 5 && item.code.substr(0, 3) == "RP0");
-    check(!item.message.empty());
-    check(item.where.has_value() && item.where.begin <= item.where.end);
-    check(item.where.end <= sources[item.where.file].text().size());
-  }
-}
-
-}  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data,
                                       std::size_t size) {
@@ -38,5 +20,6 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data,
   const rung::Program program = rung::build_program(ast, {}, list);
   check(!list.has_errors());
   check(program.rungs.size() == ast.rungs.size());
+  check_program(program);
   return 0;
 }
