@@ -4,7 +4,7 @@
 #include <string>
 #include <utility>
 
-#include "analysis/build_postfix.h"
+#include "analysis/build_declared.h"
 #include "analysis/build_program_expression.h"
 #include "analysis/build_program_names.h"
 #include "analysis/program.h"
@@ -244,9 +244,7 @@ void ProgramBuilder::add_plant() {
 
 Program build_program(const Ast& ast, const BuildOptions& options,
                       DiagnosticSink& sink) {
-  const bool declares_all =
-      ast.language == "postfix" || ast.language == "il-iec";
-  if (declares_all) return build_postfix(ast, sink);
+  if (ast.language != "script") return build_declared(ast, sink);
   ErrorLimit errors(sink);
   Program program = ProgramBuilder(ast, options, errors).run();
   errors.finish();

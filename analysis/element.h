@@ -72,9 +72,10 @@ enum class ElementFamily : std::uint8_t { Timer, Counter, Edge, Latch };
 
 /// Initial values of all states are 0.
 struct ElementKind {
-  std::string_view id;       // "timer-yun": stable
-  std::string_view letter;   // "T": instances are named T(0)
-  std::string_view dialect;  // "yun", "sim", "iec"; empty: every dialect
+  std::string_view id;      // "timer-yun": stable
+  std::string_view letter;  // "T": instances are named T(0)
+  /// "yun"; several are blank-separated; empty: every dialect.
+  std::string_view dialect;
   ElementFamily family = ElementFamily::Timer;
   std::string_view summary;  // one sentence for docs/elements.md
   std::string_view source;   // where the definition comes from
@@ -83,6 +84,8 @@ struct ElementKind {
   /// Formulas over the states and `p` that properties may name: T(0).q ...
   std::string_view done = {};   // .q
   std::string_view value = {};  // .elapsed of timers, .value of counters
+
+  bool is_in(std::string_view wanted) const;
 };
 
 /// Every kind, in a fixed order.

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <array>
 
 #include "analysis/element.h"
@@ -254,9 +255,19 @@ constexpr auto kKinds = [] {
 
 std::span<const ElementKind> element_kinds() { return kKinds; }
 
+bool ElementKind::is_in(std::string_view wanted) const {
+  if (dialect.empty()) return true;
+  for (std::string_view rest = dialect; !rest.empty();) {
+    const std::size_t end = std::min(rest.find(' '), rest.size());
+    if (rest.substr(0, end) == wanted) return true;
+    rest.remove_prefix(std::min(end + 1, rest.size()));
+  }
+  return false;
+}
+
 FoundOperation find_operation(std::string_view dialect, std::string_view name) {
   for (const ElementKind& kind : kKinds) {
-    if (!kind.dialect.empty() && kind.dialect != dialect) continue;
+    if (!kind.is_in(dialect)) continue;
     for (const ElementOperation& operation : kind.operations) {
       if (operation.name == name) return {&kind, &operation};
     }

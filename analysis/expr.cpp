@@ -203,6 +203,41 @@ ExprId ExprArena::less_equal(ExprId a, ExprId b) {
   return negation(less(b, a));
 }
 
+bool ExprArena::is_number(ExprId id, std::int64_t value) const {
+  const Expr& expr = exprs_[id.index()];
+  return expr.op == ExprOp::Constant && expr.type == Type::Word &&
+         expr.value == value;
+}
+
+// How readers write "x if c, else y": to_word(c) * x + to_word(!c) * y.
+
+ExprId ExprArena::chosen_sum(ExprId a, ExprId b) {
+  const Expr left = exprs_[a.index()];
+  const Expr right = exprs_[b.index()];
+  if (left.op != ExprOp::Ite || right.op != ExprOp::Ite || left.a != right.a) {
+    return {};
+  }
+  if (is_number(left.c, 0) && is_number(right.b, 0)) {
+    return ite(left.a, left.b, right.c);
+  }
+  if (is_number(left.b, 0) && is_number(right.c, 0)) {
+    return ite(left.a, right.b, left.c);
+  }
+  return {};
+}
+
+ExprId ExprArena::chosen_product(ExprId choice, ExprId other) {
+  const Expr expr = exprs_[choice.index()];
+  if (expr.op != ExprOp::Ite) return {};
+  if (is_number(expr.b, 1) && is_number(expr.c, 0)) {
+    return ite(expr.a, other, word(0));
+  }
+  if (is_number(expr.b, 0) && is_number(expr.c, 1)) {
+    return ite(expr.a, word(0), other);
+  }
+  return {};
+}
+
 ExprId ExprArena::add(ExprId a, ExprId b) {
   if (b < a) std::swap(a, b);
   const Expr& left = exprs_[a.index()];
@@ -213,6 +248,7 @@ ExprId ExprArena::add(ExprId a, ExprId b) {
   if (is_constant(a) && is_constant(b)) return word(low);
   if (is_constant(a) && left.value == 0) return b;
   if (is_constant(b) && right.value == 0) return a;
+  if (const ExprId chosen = chosen_sum(a, b); chosen.has_value()) return chosen;
   return intern({.op = ExprOp::Add,
                  .type = Type::Word,
                  .a = a,
@@ -248,6 +284,12 @@ ExprId ExprArena::multiply(ExprId a, ExprId b) {
                        is_constant(left.b) &&
                        exprs_[left.b.index()].value == -1;
     if (twice) return left.a;
+  }
+  if (const ExprId product = chosen_product(a, b); product.has_value()) {
+    return product;
+  }
+  if (const ExprId product = chosen_product(b, a); product.has_value()) {
+    return product;
   }
   return intern({.op = ExprOp::Multiply,
                  .type = Type::Word,

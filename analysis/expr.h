@@ -95,6 +95,9 @@ class ExprArena {
  private:
   ExprId intern(Expr expr);
   ExprId bit_ite(ExprId condition, ExprId then, ExprId otherwise);
+  bool is_number(ExprId id, std::int64_t value) const;
+  ExprId chosen_sum(ExprId a, ExprId b);
+  ExprId chosen_product(ExprId choice, ExprId other);
   void grow();
 
   std::vector<Expr> exprs_;

@@ -85,7 +85,7 @@ struct RungCode {
 };
 
 struct CallCode {
-  ElementCode code = ElementCode::Rise;
+  decltype(SimulatedOperation::execute) execute = nullptr;
   std::uint32_t instance = 0;
   std::uint32_t arguments = 0;  // how many of `argument`
   std::array<std::uint32_t, 5> argument = {0, 0, 0, 0, 0};
@@ -114,11 +114,12 @@ Instruction compile_node(const Node& node) {
 
 CallCode compile_call(const Program& program, const ElementCall& call) {
   const ElementKind& kind = *program.instances[call.instance].kind;
-  const auto code = find_element_code(kind, *call.operation);
-  assert(code.has_value() && call.arguments.size() <= 5);
-  if (!code.has_value() || call.arguments.size() > 5) std::abort();
+  const SimulatedOperation* const operation =
+      find_simulated(kind, *call.operation);
+  assert(operation != nullptr && call.arguments.size() <= 5);
+  if (operation == nullptr || call.arguments.size() > 5) std::abort();
   CallCode result;
-  result.code = *code;
+  result.execute = operation->execute;
   result.instance = call.instance.index();
   result.arguments = static_cast<std::uint32_t>(call.arguments.size());
   std::copy(call.arguments.begin(), call.arguments.end(),
@@ -146,7 +147,7 @@ struct Simulator::Impl {
   std::vector<Instruction> instructions;
   std::vector<RungCode> rungs;
   std::vector<CallCode> calls;
-  std::vector<ElementShape> shapes;  // by InstanceId
+  std::vector<const SimulatedShape*> shapes;  // by InstanceId
   PlantMachine plant;
 
   std::vector<Word> values;  // by node
@@ -179,11 +180,11 @@ Simulator::Impl::Impl(const Program& source)
   for (const Rung& rung : source.rungs) {
     rungs.push_back({rung.begin, rung.end, rung.target.index()});
   }
-  shapes.resize(source.instances.size(), ElementShape::Edge);
+  for (const Instance& instance : source.instances) {
+    shapes.push_back(find_shape(*instance.kind));
+  }
   for (const ElementCall& call : source.calls) {
     calls.push_back(compile_call(source, call));
-    const auto shape = shape_of(calls.back().code);
-    if (shape) shapes[calls.back().instance] = *shape;
   }
   reset();
 }
@@ -206,7 +207,7 @@ Word Simulator::Impl::call(const CallCode& code) {
   for (std::uint32_t i = 0; i < code.arguments; ++i) {
     inputs.value[i] = values[code.argument[i]];
   }
-  return execute_element(code.code, elements[code.instance], inputs, clock);
+  return code.execute(elements[code.instance], inputs, clock);
 }
 
 void Simulator::Impl::run_rung(const RungCode& rung) {
@@ -324,9 +325,11 @@ std::int64_t Simulator::count(InstanceId instance) const {
 
 bool Simulator::done(InstanceId instance) const {
   const std::uint32_t i = instance.index();
-  return is_done(impl_->shapes[i], impl_->elements[i],
-                 impl_->program.instances[instance].largest_parameter,
-                 impl_->clock.now);
+  const SimulatedShape* const shape = impl_->shapes[i];
+  return shape != nullptr &&
+         shape->done(impl_->elements[i],
+                     impl_->program.instances[instance].largest_parameter,
+                     impl_->clock.now);
 }
 
 bool Simulator::elapsed_grows(InstanceId instance) const {

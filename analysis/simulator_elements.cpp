@@ -8,41 +8,6 @@
 namespace rung {
 namespace {
 
-struct CodeRow {
-  std::string_view kind;
-  std::string_view operation;
-  ElementCode code;
-};
-constexpr std::array<CodeRow, 27> kCodes = {{
-    {"timer-yun", "T", ElementCode::TimerYun},
-    {"timer-yun", "TR", ElementCode::TimerYunReset},
-    {"timer-sim", "T", ElementCode::TimerSim},
-    {"timer-off-sim", "TOF", ElementCode::TimerOffSim},
-    {"counter-yun", "C", ElementCode::CounterYun},
-    {"counter-yun", "Cnt", ElementCode::CounterYun},
-    {"counter-yun", "CR", ElementCode::CounterYunReset},
-    {"counter-sim", "C", ElementCode::CounterSim},
-    {"edge", "RISE", ElementCode::Rise},
-    {"edge", "FALL", ElementCode::Fall},
-    {"ton", "TON", ElementCode::OnDelay},
-    {"ton", "TON.ET", ElementCode::TimerElapsed},
-    {"tof", "TOF", ElementCode::OffDelay},
-    {"tof", "TOF.ET", ElementCode::TimerElapsed},
-    {"tp", "TP", ElementCode::Pulse},
-    {"tp", "TP.ET", ElementCode::TimerElapsed},
-    {"ctu", "CTU", ElementCode::CountUp},
-    {"ctu", "CTU.CV", ElementCode::CountValue},
-    {"ctd", "CTD", ElementCode::CountDown},
-    {"ctd", "CTD.CV", ElementCode::CountValue},
-    {"ctud", "CTUD", ElementCode::CountUpDown},
-    {"ctud", "CTUD.QD", ElementCode::CountedDown},
-    {"ctud", "CTUD.CV", ElementCode::CountValue},
-    {"r-trig", "R_TRIG", ElementCode::RisingTrigger},
-    {"f-trig", "F_TRIG", ElementCode::FallingTrigger},
-    {"sr", "SR", ElementCode::SetDominant},
-    {"rs", "RS", ElementCode::ResetDominant},
-}};
-
 // bool T(int n, float d, bool v), Sensors and Materials 32(12), section 2.1.
 // `parameter` is the whole part of d*1000, so `t > d*1000` is `t > parameter`.
 bool timer_yun(SimulatedElement& e, std::int64_t parameter, bool v,
@@ -134,14 +99,102 @@ bool edge(SimulatedElement& e, bool v, bool wanted) {
   return changed && v == wanted;
 }
 
+using E = SimulatedElement;
+using In = ElementInputs;
+
+std::int64_t count_step(E& e, const In& in, ElementClock& /*clock*/) {
+  return counter_yun(e, in.parameter, in.bit(0)) ? 1 : 0;
+}
+
+constexpr std::array<SimulatedOperation, 10> kOperations = {{
+    {"timer-yun", "T",
+     [](E& e, const In& in, ElementClock& clock) -> std::int64_t {
+       return timer_yun(e, in.parameter, in.bit(0), clock) ? 1 : 0;
+     }},
+    {"timer-yun", "TR",
+     [](E& e, const In& in, ElementClock&) -> std::int64_t {
+       return timer_yun_reset(e, in.bit(0)) ? 1 : 0;
+     }},
+    {"timer-sim", "T",
+     [](E& e, const In& in, ElementClock& clock) -> std::int64_t {
+       return timer_sim(e, in.parameter, in.bit(0), clock) ? 1 : 0;
+     }},
+    {"timer-off-sim", "TOF",
+     [](E& e, const In& in, ElementClock& clock) -> std::int64_t {
+       return timer_off_sim(e, in.parameter, in.bit(0), clock) ? 1 : 0;
+     }},
+    {"counter-yun", "C", count_step},
+    {"counter-yun", "Cnt", count_step},
+    {"counter-yun", "CR",
+     [](E& e, const In& in, ElementClock&) -> std::int64_t {
+       return counter_yun_reset(e, in.bit(0)) ? 1 : 0;
+     }},
+    {"counter-sim", "C",
+     [](E& e, const In& in, ElementClock&) -> std::int64_t {
+       return counter_sim(e, in.parameter, in.bit(0), in.bit(1), in.bit(2)) ? 1
+                                                                            : 0;
+     }},
+    {"edge", "RISE",
+     [](E& e, const In& in, ElementClock&) -> std::int64_t {
+       return edge(e, in.bit(0), true) ? 1 : 0;
+     }},
+    {"edge", "FALL",
+     [](E& e, const In& in, ElementClock&) -> std::int64_t {
+       return edge(e, in.bit(0), false) ? 1 : 0;
+     }},
+}};
+
+bool is_started(const E& e) { return e.started; }
+
+constexpr std::array<SimulatedShape, 5> kShapes = {{
+    {"timer-yun", is_started,
+     [](const E& e, std::int64_t preset, std::int64_t now) {
+       return e.started && now - e.t0 > preset;
+     }},
+    {"timer-sim", is_started,
+     [](const E& e, std::int64_t preset, std::int64_t now) {
+       return (e.started ? now - e.t0 : 0) >= preset;
+     }},
+    {"timer-off-sim", [](const E& e) { return e.out && !e.started; },
+     [](const E& e, std::int64_t, std::int64_t) { return e.out; }},
+    {"counter-yun", nullptr,
+     [](const E& e, std::int64_t count, std::int64_t) {
+       return e.count >= count;
+     }},
+    {"counter-sim", nullptr,
+     [](const E& e, std::int64_t count, std::int64_t) {
+       return e.count == count;
+     }},
+}};
+
+/// One line a dialect.
+std::span<const SimulatedDialect> dialects() {
+  static const std::array kDialects = {
+      SimulatedDialect{kOperations, kShapes},
+      simulated_iec(),
+  };
+  return kDialects;
+}
+
 }  // namespace
 
-std::optional<ElementCode> find_element_code(
-    const ElementKind& kind, const ElementOperation& operation) {
-  for (const CodeRow& row : kCodes) {
-    if (row.kind == kind.id && row.operation == operation.name) return row.code;
+const SimulatedOperation* find_simulated(const ElementKind& kind,
+                                         const ElementOperation& operation) {
+  for (const SimulatedDialect& dialect : dialects()) {
+    for (const SimulatedOperation& row : dialect.operations) {
+      if (row.kind == kind.id && row.operation == operation.name) return &row;
+    }
   }
-  return std::nullopt;
+  return nullptr;
+}
+
+const SimulatedShape* find_shape(const ElementKind& kind) {
+  for (const SimulatedDialect& dialect : dialects()) {
+    for (const SimulatedShape& row : dialect.shapes) {
+      if (row.kind == kind.id) return &row;
+    }
+  }
+  return nullptr;
 }
 
 bool same_but_for_time(const SimulatedElement& a, const SimulatedElement& b) {
@@ -155,138 +208,14 @@ bool reached(std::int64_t t, std::int64_t limit, ElementClock& clock) {
   return false;
 }
 
-std::int64_t execute_element(ElementCode code, SimulatedElement& element,
-                             const ElementInputs& inputs, ElementClock& clock) {
-  const std::int64_t parameter = inputs.parameter;
-  const bool v = inputs.bit(0);
-  switch (code) {
-    case ElementCode::TimerYun:
-      return timer_yun(element, parameter, v, clock) ? 1 : 0;
-    case ElementCode::TimerYunReset:
-      return timer_yun_reset(element, v) ? 1 : 0;
-    case ElementCode::TimerSim:
-      return timer_sim(element, parameter, v, clock) ? 1 : 0;
-    case ElementCode::TimerOffSim:
-      return timer_off_sim(element, parameter, v, clock) ? 1 : 0;
-    case ElementCode::CounterYun:
-      return counter_yun(element, parameter, v) ? 1 : 0;
-    case ElementCode::CounterYunReset:
-      return counter_yun_reset(element, v) ? 1 : 0;
-    case ElementCode::CounterSim:
-      return counter_sim(element, parameter, v, inputs.bit(1), inputs.bit(2))
-                 ? 1
-                 : 0;
-    case ElementCode::Rise:
-      return edge(element, v, true) ? 1 : 0;
-    case ElementCode::Fall:
-      return edge(element, v, false) ? 1 : 0;
-    case ElementCode::OnDelay:
-    case ElementCode::OffDelay:
-    case ElementCode::Pulse:
-    case ElementCode::TimerElapsed:
-    case ElementCode::CountUp:
-    case ElementCode::CountDown:
-    case ElementCode::CountUpDown:
-    case ElementCode::CountedDown:
-    case ElementCode::CountValue:
-    case ElementCode::RisingTrigger:
-    case ElementCode::FallingTrigger:
-    case ElementCode::SetDominant:
-    case ElementCode::ResetDominant:
-      return execute_block(code, element, inputs, clock);
-  }
-  return 0;
+bool is_running(const SimulatedShape* shape, const SimulatedElement& element) {
+  return shape != nullptr && shape->running != nullptr &&
+         shape->running(element);
 }
 
-std::optional<ElementShape> shape_of(ElementCode code) {
-  switch (code) {
-    case ElementCode::TimerYun:
-    case ElementCode::TimerYunReset:
-      return ElementShape::TimerYun;
-    case ElementCode::TimerSim:
-      return ElementShape::TimerSim;
-    case ElementCode::TimerOffSim:
-      return ElementShape::TimerOffSim;
-    case ElementCode::CounterYun:
-    case ElementCode::CounterYunReset:
-      return ElementShape::CounterYun;
-    case ElementCode::CounterSim:
-      return ElementShape::CounterSim;
-    case ElementCode::OnDelay:
-      return ElementShape::OnDelay;
-    case ElementCode::OffDelay:
-      return ElementShape::OffDelay;
-    case ElementCode::Pulse:
-      return ElementShape::Pulse;
-    case ElementCode::CountUp:
-    case ElementCode::CountDown:
-    case ElementCode::CountUpDown:
-      return ElementShape::Counter;
-    case ElementCode::Rise:
-    case ElementCode::Fall:
-    case ElementCode::RisingTrigger:
-    case ElementCode::FallingTrigger:
-    case ElementCode::SetDominant:
-    case ElementCode::ResetDominant:
-      return ElementShape::Edge;
-    case ElementCode::TimerElapsed:
-    case ElementCode::CountedDown:
-    case ElementCode::CountValue:
-      return std::nullopt;
-  }
-  return std::nullopt;
-}
-
-bool is_running(ElementShape shape, const SimulatedElement& element) {
-  switch (shape) {
-    case ElementShape::TimerYun:
-    case ElementShape::TimerSim:
-      return element.started;
-    case ElementShape::TimerOffSim:
-      return element.out && !element.started;
-    case ElementShape::OnDelay:
-    case ElementShape::OffDelay:
-    case ElementShape::Pulse:
-      return element.started;
-    case ElementShape::CounterYun:
-    case ElementShape::CounterSim:
-    case ElementShape::Counter:
-    case ElementShape::Edge:
-      return false;
-  }
-  return false;
-}
-
-std::int64_t elapsed_ms(ElementShape shape, const SimulatedElement& element,
-                        std::int64_t now) {
+std::int64_t elapsed_ms(const SimulatedShape* shape,
+                        const SimulatedElement& element, std::int64_t now) {
   return is_running(shape, element) ? now - element.t0 : 0;
-}
-
-bool is_done(ElementShape shape, const SimulatedElement& element,
-             std::int64_t parameter, std::int64_t now) {
-  switch (shape) {
-    case ElementShape::TimerYun:
-      return element.started && now - element.t0 > parameter;
-    case ElementShape::TimerSim:
-      return elapsed_ms(shape, element, now) >= parameter;
-    case ElementShape::TimerOffSim:
-      return element.out;
-    case ElementShape::CounterYun:
-      return element.count >= parameter;
-    case ElementShape::CounterSim:
-      return element.count == parameter;
-    case ElementShape::OnDelay:
-      return element.last && now - element.t0 >= parameter;
-    case ElementShape::OffDelay:
-      return element.last || (element.started && now - element.t0 < parameter);
-    case ElementShape::Pulse:
-      return element.started && now - element.t0 < parameter;
-    case ElementShape::Counter:
-      return element.out;
-    case ElementShape::Edge:
-      return false;
-  }
-  return false;
 }
 
 }  // namespace rung

@@ -4,7 +4,8 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
-#include <optional>
+#include <span>
+#include <string_view>
 
 #include "analysis/element.h"
 
@@ -12,36 +13,6 @@ namespace rung {
 
 /// The simulator's own elements, written from the published listings with
 /// absolute times. Nothing here reads the step texts of element_kinds().
-
-enum class ElementCode : std::uint8_t {
-  TimerYun,
-  TimerYunReset,
-  TimerSim,
-  TimerOffSim,
-  CounterYun,
-  CounterYunReset,
-  CounterSim,
-  Rise,
-  Fall,
-  OnDelay,  // IEC 61131-3, from here on
-  OffDelay,
-  Pulse,
-  TimerElapsed,
-  CountUp,
-  CountDown,
-  CountUpDown,
-  CountedDown,  // CTUD.QD
-  CountValue,
-  RisingTrigger,
-  FallingTrigger,
-  SetDominant,
-  ResetDominant,
-};
-
-/// By the names of kind and operation alone; no value for an element that the
-/// simulator does not know.
-std::optional<ElementCode> find_element_code(const ElementKind& kind,
-                                             const ElementOperation& operation);
 
 /// What the listings keep in arrays by index; their names stand behind.
 struct SimulatedElement {
@@ -73,31 +44,47 @@ struct ElementInputs {
   bool bit(std::size_t index) const { return value[index] != 0; }
 };
 
-/// One call. Returns its result: of a bit, 0 or 1.
-std::int64_t execute_element(ElementCode code, SimulatedElement& element,
-                             const ElementInputs& inputs, ElementClock& clock);
-
-/// What properties observe of an instance whose largest preset or count is
-/// `parameter`: T(0).elapsed and T(0).q or C(0).q.
-enum class ElementShape : std::uint8_t {
-  TimerYun,
-  TimerSim,
-  TimerOffSim,
-  CounterYun,
-  CounterSim,
-  Edge,
-  OnDelay,
-  OffDelay,
-  Pulse,
-  Counter,  // of IEC 61131-3: `out` is its first output
+/// One operation of the simulator's: executes a call and returns its result; of
+/// a bit, 0 or 1. `kind` and `operation` are the names in element_kinds().
+struct SimulatedOperation {
+  std::string_view kind;
+  std::string_view operation;
+  std::int64_t (*execute)(SimulatedElement& element,
+                          const ElementInputs& inputs,
+                          ElementClock& clock) = nullptr;
 };
-/// No value for an operation that kinds of several shapes have.
-std::optional<ElementShape> shape_of(ElementCode code);
-/// The time runs on from scan to scan; where it does not, elapsed_ms() is 0.
-bool is_running(ElementShape shape, const SimulatedElement& element);
-std::int64_t elapsed_ms(ElementShape shape, const SimulatedElement& element,
-                        std::int64_t now);
-bool is_done(ElementShape shape, const SimulatedElement& element,
-             std::int64_t parameter, std::int64_t now);
+
+/// What properties observe of a kind that has `.q` or a clock: T(0).elapsed and
+/// T(0).q. Where `running` is null there is no clock. `parameter` is the
+/// largest preset or count of the instance.
+struct SimulatedShape {
+  std::string_view kind;
+  /// The time runs on from scan to scan; where not, the elapsed time is 0.
+  bool (*running)(const SimulatedElement& element) = nullptr;
+  bool (*done)(const SimulatedElement& element, std::int64_t parameter,
+               std::int64_t now) = nullptr;
+};
+
+/// What one dialect adds; simulator_elements.cpp lists them.
+struct SimulatedDialect {
+  std::span<const SimulatedOperation> operations;
+  std::span<const SimulatedShape> shapes;
+};
+
+/// By the names of kind and operation alone; null for an element that the
+/// simulator does not know.
+const SimulatedOperation* find_simulated(const ElementKind& kind,
+                                         const ElementOperation& operation);
+/// Null: nothing is observed of it.
+const SimulatedShape* find_shape(const ElementKind& kind);
+
+bool is_running(const SimulatedShape* shape, const SimulatedElement& element);
+std::int64_t elapsed_ms(const SimulatedShape* shape,
+                        const SimulatedElement& element, std::int64_t now);
+
+/// `t >= limit`; where it is false for a running timer, it is an event to come.
+/// A timer that was started in this very scan is none: as long as nothing else
+/// changes, it is started again in every scan.
+bool reached(std::int64_t t, std::int64_t limit, ElementClock& clock);
 
 }  // namespace rung

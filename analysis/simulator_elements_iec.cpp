@@ -1,6 +1,7 @@
 #include "analysis/simulator_elements_iec.h"
 
 #include <algorithm>
+#include <array>
 
 namespace rung {
 namespace {
@@ -52,9 +53,14 @@ bool pulse(SimulatedElement& e, const ElementInputs& in, ElementClock& clock) {
   return false;
 }
 
-std::int64_t elapsed(const SimulatedElement& e, std::int64_t preset,
-                     std::int64_t now) {
-  return e.started ? std::min(now - e.t0, preset) : 0;
+std::int64_t timer_value(SimulatedElement& e, const ElementInputs& in,
+                         ElementClock& clock) {
+  return e.started ? std::min(clock.now - e.t0, in.parameter) : 0;
+}
+
+std::int64_t count_value(SimulatedElement& e, const ElementInputs& /*in*/,
+                         ElementClock& /*clock*/) {
+  return e.count;
 }
 
 // CTU: CU, R, PV.
@@ -118,40 +124,87 @@ bool reset_dominant(SimulatedElement& e, bool s, bool r1) {
   return e.out;
 }
 
+using E = SimulatedElement;
+using In = ElementInputs;
+
+constexpr std::array<SimulatedOperation, 17> kOperations = {{
+    {"ton", "TON",
+     [](E& e, const In& in, ElementClock& clock) -> std::int64_t {
+       return on_delay(e, in, clock) ? 1 : 0;
+     }},
+    {"ton", "TON.ET", timer_value},
+    {"tof", "TOF",
+     [](E& e, const In& in, ElementClock& clock) -> std::int64_t {
+       return off_delay(e, in, clock) ? 1 : 0;
+     }},
+    {"tof", "TOF.ET", timer_value},
+    {"tp", "TP",
+     [](E& e, const In& in, ElementClock& clock) -> std::int64_t {
+       return pulse(e, in, clock) ? 1 : 0;
+     }},
+    {"tp", "TP.ET", timer_value},
+    {"ctu", "CTU",
+     [](E& e, const In& in, ElementClock&) -> std::int64_t {
+       return count_up(e, in) ? 1 : 0;
+     }},
+    {"ctu", "CTU.CV", count_value},
+    {"ctd", "CTD",
+     [](E& e, const In& in, ElementClock&) -> std::int64_t {
+       return count_down(e, in) ? 1 : 0;
+     }},
+    {"ctd", "CTD.CV", count_value},
+    {"ctud", "CTUD",
+     [](E& e, const In& in, ElementClock&) -> std::int64_t {
+       return count_up_down(e, in) ? 1 : 0;
+     }},
+    {"ctud", "CTUD.QD",
+     [](E& e, const In&, ElementClock&) -> std::int64_t {
+       return e.count <= 0 ? 1 : 0;
+     }},
+    {"ctud", "CTUD.CV", count_value},
+    {"r-trig", "R_TRIG",
+     [](E& e, const In& in, ElementClock&) -> std::int64_t {
+       return rising(e.last, in.bit(0)) ? 1 : 0;
+     }},
+    {"f-trig", "F_TRIG",
+     [](E& e, const In& in, ElementClock&) -> std::int64_t {
+       return falling_trigger(e, in.bit(0)) ? 1 : 0;
+     }},
+    {"sr", "SR",
+     [](E& e, const In& in, ElementClock&) -> std::int64_t {
+       return set_dominant(e, in.bit(0), in.bit(1)) ? 1 : 0;
+     }},
+    {"rs", "RS",
+     [](E& e, const In& in, ElementClock&) -> std::int64_t {
+       return reset_dominant(e, in.bit(0), in.bit(1)) ? 1 : 0;
+     }},
+}};
+
+bool is_started(const E& e) { return e.started; }
+bool is_out(const E& e, std::int64_t /*parameter*/, std::int64_t /*now*/) {
+  return e.out;
+}
+
+constexpr std::array<SimulatedShape, 6> kShapes = {{
+    {"ton", is_started,
+     [](const E& e, std::int64_t preset, std::int64_t now) {
+       return e.last && now - e.t0 >= preset;
+     }},
+    {"tof", is_started,
+     [](const E& e, std::int64_t preset, std::int64_t now) {
+       return e.last || (e.started && now - e.t0 < preset);
+     }},
+    {"tp", is_started,
+     [](const E& e, std::int64_t preset, std::int64_t now) {
+       return e.started && now - e.t0 < preset;
+     }},
+    {"ctu", nullptr, is_out},
+    {"ctd", nullptr, is_out},
+    {"ctud", nullptr, is_out},
+}};
+
 }  // namespace
 
-std::int64_t execute_block(ElementCode code, SimulatedElement& element,
-                           const ElementInputs& inputs, ElementClock& clock) {
-  switch (code) {
-    case ElementCode::OnDelay:
-      return on_delay(element, inputs, clock) ? 1 : 0;
-    case ElementCode::OffDelay:
-      return off_delay(element, inputs, clock) ? 1 : 0;
-    case ElementCode::Pulse:
-      return pulse(element, inputs, clock) ? 1 : 0;
-    case ElementCode::TimerElapsed:
-      return elapsed(element, inputs.parameter, clock.now);
-    case ElementCode::CountUp:
-      return count_up(element, inputs) ? 1 : 0;
-    case ElementCode::CountDown:
-      return count_down(element, inputs) ? 1 : 0;
-    case ElementCode::CountUpDown:
-      return count_up_down(element, inputs) ? 1 : 0;
-    case ElementCode::CountedDown:
-      return element.count <= 0 ? 1 : 0;
-    case ElementCode::CountValue:
-      return element.count;
-    case ElementCode::RisingTrigger:
-      return rising(element.last, inputs.bit(0)) ? 1 : 0;
-    case ElementCode::FallingTrigger:
-      return falling_trigger(element, inputs.bit(0)) ? 1 : 0;
-    case ElementCode::SetDominant:
-      return set_dominant(element, inputs.bit(0), inputs.bit(1)) ? 1 : 0;
-    case ElementCode::ResetDominant:
-      return reset_dominant(element, inputs.bit(0), inputs.bit(1)) ? 1 : 0;
-    default:
-      return 0;  // the scripts' own: execute_element() has them
-  }
-}
+SimulatedDialect simulated_iec() { return {kOperations, kShapes}; }
 
 }  // namespace rung

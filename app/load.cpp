@@ -1,14 +1,12 @@
 #include "app/load.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <string>
 #include <string_view>
 
-#include "frontend/il_iec/reader.h"
-#include "frontend/postfix/reader.h"
 #include "frontend/recognise.h"
-#include "frontend/script/reader.h"
 
 namespace rung {
 namespace {
@@ -34,7 +32,7 @@ const Language* choose_language(const Input& input, const Options& options,
                                named, known)));
     return nullptr;
   }
-  if (!language->supported) {
+  if (!language->supported()) {
     sink.report(file_error(
         input.file, "RP074",
         fmt::format("this {} `{}`, a language that is not supported yet",
@@ -45,55 +43,49 @@ const Language* choose_language(const Input& input, const Options& options,
   return language;
 }
 
-/// Instruction lists have one meaning, that of the standard.
-void check_iec_options(const Input& input, const Options& options,
-                       DiagnosticSink& sink) {
-  if (!options.dialect.empty()) {
-    sink.report(file_error(input.file, "RP075",
-                           "this is an instruction list: `--dialect` is for "
-                           "scripts"));
-  }
-  if (!options.semantics.empty() && options.semantics != "iec") {
-    sink.report(file_error(input.file, "RP076",
-                           fmt::format("there are no semantics `{}` for this "
-                                       "language: the preset is `iec`",
-                                       options.semantics)));
-  }
-}
-
-/// The dialect that the options ask for; empty: the text decides.
-std::string_view choose_dialect(const Input& input, const Language& language,
-                                const Options& options, DiagnosticSink& sink) {
-  if (language.name == "il-iec") {
-    check_iec_options(input, options, sink);
-    return {};
-  }
-  const auto known = [](std::string_view name) {
-    return name.empty() || name == "yun" || name == "sim";
-  };
-  if (!known(options.dialect)) {
-    sink.report(file_error(input.file, "RP075",
-                           fmt::format("there is no dialect `{}`: the names "
-                                       "are `yun`, `sim`",
-                                       options.dialect)));
-    return {};
-  }
-  if (!known(options.semantics)) {
-    sink.report(file_error(input.file, "RP076",
-                           fmt::format("there are no semantics `{}` for this "
-                                       "language: the presets are `yun`, `sim`",
-                                       options.semantics)));
-    return {};
-  }
-  if (!options.dialect.empty() && !options.semantics.empty() &&
-      options.dialect != options.semantics) {
+void check_dialect(const Input& input, const Language& language,
+                   const Options& options, DiagnosticSink& sink) {
+  if (options.dialect.empty()) return;
+  const bool scripts = language.name == "script" || language.name == "postfix";
+  if (!scripts) {
+    sink.report(
+        file_error(input.file, "RP075",
+                   fmt::format("this is `{}`: `--dialect` is for scripts",
+                               language.name)));
+  } else if (!language.has_preset(options.dialect)) {
+    sink.report(file_error(
+        input.file, "RP075",
+        fmt::format("there is no dialect `{}`: the names "
+                    "are `{}`",
+                    options.dialect, fmt::join(language.presets, "`, `"))));
+  } else if (!options.semantics.empty() &&
+             options.dialect != options.semantics) {
     sink.report(file_error(
         input.file, "RP076",
         fmt::format("the dialect `{}` has its own semantics, not `{}`",
                     options.dialect, options.semantics)));
-    return {};
   }
-  return options.dialect.empty() ? options.semantics : options.dialect;
+}
+
+/// What the options ask for; what they leave open, the text decides.
+ReadOptions choose_reading(const Input& input, const Language& language,
+                           const Options& options, DiagnosticSink& sink) {
+  ReadOptions reading;
+  if (!options.semantics.empty() && !language.has_preset(options.semantics)) {
+    sink.report(file_error(
+        input.file, "RP076",
+        fmt::format(
+            "there are no semantics `{}` for this language: {} `{}`",
+            options.semantics,
+            language.presets.size() == 1 ? "the preset is" : "the presets are",
+            fmt::join(language.presets, "`, `"))));
+    return reading;
+  }
+  check_dialect(input, language, options, sink);
+  reading.semantics = find_semantics(options.semantics);
+  reading.dialect =
+      options.dialect.empty() ? options.semantics : options.dialect;
+  return reading;
 }
 
 /// What is not part of the answer.
@@ -115,17 +107,6 @@ std::vector<std::string> notes_of(const Program& program) {
   return notes;
 }
 
-Ast read(const Input& input, const Language& language, std::string_view dialect,
-         const SourceSet& sources, DiagnosticSink& sink) {
-  if (language.name == "postfix") {
-    return read_postfix(sources, input.file, sink);
-  }
-  if (language.name == "il-iec") {
-    return read_il_iec(sources, input.file, sink);
-  }
-  return read_script(sources, input.file, dialect, sink);
-}
-
 /// Reads, builds and binds the properties, as far as there are no errors.
 std::shared_ptr<Program> build(const Input& input, const Options& options,
                                const std::vector<AstAnnotation>& extra,
@@ -135,12 +116,11 @@ std::shared_ptr<Program> build(const Input& input, const Options& options,
   const Language* language = choose_language(input, options, text, errors);
   if (language == nullptr) return nullptr;
   report.language = language->name;
-  const std::string_view dialect =
-      choose_dialect(input, *language, options, errors);
+  const ReadOptions reading = choose_reading(input, *language, options, errors);
   if (errors.has_errors()) return nullptr;
-  const Ast ast = read(input, *language, dialect, sources, errors);
+  const Ast ast = language->read(sources, input.file, reading, errors);
   report.dialect = ast.dialect;
-  report.semantics = ast.dialect;
+  report.semantics = ast.semantics.empty() ? ast.dialect : ast.semantics;
   if (errors.has_errors()) return nullptr;
   BuildOptions build_options;
   if (options.scan) build_options.scan = *options.scan;

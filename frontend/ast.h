@@ -113,7 +113,10 @@ struct AstDeclaration {
 struct Ast {
   FileId file;
   std::string_view language;  // "script", "postfix", ...: static storage
-  std::string_view dialect;   // "yun", "sim", or empty: static storage
+  /// Of element_kinds(): "yun", "sim", "iec", or empty: static storage.
+  std::string_view dialect;
+  /// The preset of semantics_presets(); empty: the one named as the dialect.
+  std::string_view semantics;
   std::vector<AstNode> nodes;
   std::vector<AstAssignment> rungs;     // in scan order
   std::vector<AstAssignment> initials;  // `//Var`: values before the first scan

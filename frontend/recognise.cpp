@@ -6,6 +6,7 @@
 
 #include "frontend/il_iec/reader.h"
 #include "frontend/postfix/reader.h"
+#include "frontend/script/reader.h"
 
 namespace rung {
 namespace {
@@ -115,19 +116,42 @@ bool is_ascii_ladder(std::string_view text) {
 
 bool is_script(std::string_view) { return true; }
 
+using Names = std::string_view;
+constexpr std::array<Names, 2> kScriptPresets = {"yun", "sim"};
+constexpr std::array<Names, 1> kIecPresets = {"iec"};
+
+Ast postfix_reader(const SourceSet& sources, FileId file,
+                   const ReadOptions& /*options*/, DiagnosticSink& sink) {
+  return read_postfix(sources, file, sink);
+}
+
+Ast il_iec_reader(const SourceSet& sources, FileId file,
+                  const ReadOptions& /*options*/, DiagnosticSink& sink) {
+  return read_il_iec(sources, file, sink);
+}
+
+Ast script_reader(const SourceSet& sources, FileId file,
+                  const ReadOptions& options, DiagnosticSink& sink) {
+  return read_script(sources, file, options.dialect, sink);
+}
+
 constexpr std::array kLanguages = {
-    Language{"postfix", true, is_postfix},
-    Language{"ldmicro", false, is_ldmicro},
-    Language{"plcopen", false, is_plcopen},
-    Language{"plclib", false, is_plclib},
-    Language{"il-mitsubishi", false, is_mitsubishi},
-    Language{"il-iec", true, is_il_iec},
-    Language{"st", false, is_structured_text},
-    Language{"ascii", false, is_ascii_ladder},
-    Language{"script", true, is_script},
+    Language{"postfix", kScriptPresets, is_postfix, postfix_reader},
+    Language{"ldmicro", {}, is_ldmicro},
+    Language{"plcopen", {}, is_plcopen},
+    Language{"plclib", {}, is_plclib},
+    Language{"il-mitsubishi", {}, is_mitsubishi},
+    Language{"il-iec", kIecPresets, is_il_iec, il_iec_reader},
+    Language{"st", {}, is_structured_text},
+    Language{"ascii", {}, is_ascii_ladder},
+    Language{"script", kScriptPresets, is_script, script_reader},
 };
 
 }  // namespace
+
+bool Language::has_preset(std::string_view preset) const {
+  return std::find(presets.begin(), presets.end(), preset) != presets.end();
+}
 
 std::span<const Language> languages() { return kLanguages; }
 

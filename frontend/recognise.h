@@ -3,13 +3,35 @@
 #include <span>
 #include <string_view>
 
+#include "base/diagnostic.h"
+#include "frontend/ast.h"
+#include "frontend/semantics.h"
+
 namespace rung {
 
-/// An input language: its name for --language, and how its texts look.
+/// What the user says about how a text is to be read.
+struct ReadOptions {
+  std::string_view dialect;              // of scripts; empty: the text decides
+  const Semantics* semantics = nullptr;  // null: the language's own default
+  /// Inputs do not change in a scan, also where the preset samples each read.
+  bool stable_inputs = false;
+};
+
+/// An input language: its name for --language, how its texts look, and its
+/// reader.
 struct Language {
   std::string_view name;  // static storage
-  bool supported = false;
+  /// Names of semantics_presets() that fit. Where the text itself does not
+  /// decide, the first is the default.
+  std::span<const std::string_view> presets;
   bool (*looks_so)(std::string_view text) = nullptr;
+  /// Errors go to the sink; then the result must not be used. Null: the
+  /// language is known by its looks, and not supported.
+  Ast (*read)(const SourceSet& sources, FileId file, const ReadOptions& options,
+              DiagnosticSink& sink) = nullptr;
+
+  bool supported() const { return read != nullptr; }
+  bool has_preset(std::string_view preset) const;
 };
 
 /// All languages, in the order in which recognise() asks them.

@@ -7,18 +7,9 @@
 
 #include "frontend/error_limit.h"
 #include "frontend/il_iec/names.h"
+#include "frontend/statements.h"
 
 namespace rung::il_iec {
-
-/// An expression in postorder: sizes follow from what stands before a node.
-using Expression = std::vector<AstNode>;
-void push_leaf(Expression& nodes, AstOp op, std::string_view text,
-               SourceRange where);
-void push_unary(Expression& nodes, AstOp op, SourceRange where);
-void push_binary(Expression& nodes, AstOp op, SourceRange where);
-/// A conversion, `to_word`, of the operand before it.
-void push_conversion(Expression& nodes, std::string_view name,
-                     SourceRange where);
 
 /// Writes statements, which may stand behind conditions, as assignments.
 ///

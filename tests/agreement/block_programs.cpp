@@ -7,6 +7,8 @@
 #include <utility>
 #include <vector>
 
+#include "frontend/semantics.h"
+
 namespace rung {
 namespace {
 
@@ -84,6 +86,9 @@ class Writer {
         append({.op = NodeOp::And, .a = left, .b = right});
   }
 
+  void set_dialect(std::string_view dialect) { program_.dialect = dialect; }
+  std::string_view dialect() const { return program_.dialect; }
+
   Program take() { return std::move(program_); }
 
  private:
@@ -91,11 +96,27 @@ class Writer {
   std::uint32_t open_ = 0;
 };
 
-bool has_time(const ElementOperation& operation) {
+bool has_preset(const ElementOperation& operation) {
   return std::any_of(operation.parameters.begin(), operation.parameters.end(),
                      [](const ElementParameter& parameter) {
-                       return parameter.kind == ParameterKind::Seconds;
+                       return parameter.kind == ParameterKind::Seconds ||
+                              parameter.kind == ParameterKind::Count;
                      });
+}
+
+/// Of programs that declare their cells: all but those of the scripts.
+std::vector<std::string_view> block_dialects() {
+  std::vector<std::string_view> dialects;
+  for (const Semantics& preset : semantics_presets()) {
+    const std::string_view dialect = preset.elements;
+    if (dialect == "yun" || dialect == "sim" ||
+        std::find(dialects.begin(), dialects.end(), dialect) !=
+            dialects.end()) {
+      continue;
+    }
+    dialects.push_back(dialect);
+  }
+  return dialects;
 }
 
 class Generator {
@@ -123,9 +144,14 @@ class Generator {
 
  private:
   void add_instances() {
+    const std::vector<std::string_view> dialects = block_dialects();
+    out_.set_dialect(
+        dialects[tape_.pick(static_cast<std::uint32_t>(dialects.size()))]);
     std::vector<const ElementKind*> kinds;
     for (const ElementKind& kind : element_kinds()) {
-      if (kind.dialect == "iec") kinds.push_back(&kind);
+      if (kind.is_in(out_.dialect()) && !kind.dialect.empty()) {
+        kinds.push_back(&kind);
+      }
     }
     const std::uint32_t count = 1 + tape_.pick(3);
     for (std::uint32_t i = 0; i < count; ++i) {
@@ -170,7 +196,7 @@ class Generator {
         arguments.push_back(operand(parameter.kind));
       }
     }
-    const std::int64_t time = has_time(operation) ? kTimes[tape_.pick(6)] : 0;
+    const std::int64_t time = has_preset(operation) ? kTimes[tape_.pick(6)] : 0;
     const std::uint32_t result =
         out_.call(id, operation, time, std::move(arguments));
     if (guarded) out_.join(left, result);
@@ -213,7 +239,8 @@ Program single_block(std::string_view kind_id) {
     if (operation.steps()) {
       for (const CellId input : inputs) arguments.push_back(out.read(input));
     }
-    out.call(id, operation, has_time(operation) ? 30 : 0, std::move(arguments));
+    out.call(id, operation, has_preset(operation) ? 30 : 0,
+             std::move(arguments));
     out.rung(target, begin);
   }
   return out.take();

@@ -8,9 +8,9 @@
 
 namespace rung {
 
-/// A program that executes standard function blocks of IEC 61131-3 (every kind
-/// of the dialect "iec"), some of them behind a condition, and looks at their
-/// outputs at any place.
+/// A program that executes the timers, counters, edges and latches of one
+/// dialect (every kind of every dialect but those of scripts), some of them
+/// behind a condition, and looks at their outputs at any place.
 Program random_block_program(Tape& tape);
 
 /// One block of a kind; its operands are inputs, in the order of its

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <utility>
 
-#include "analysis/build_postfix.h"
+#include "analysis/build_declared.h"
 #include "block_programs.h"
 #include "frontend/postfix/reader.h"
 #include "program_generator.h"
@@ -30,7 +30,7 @@ ReadProgram read_postfix_text(const std::string& text) {
   DiagnosticList diagnostics;
   const FileId file =
       add_postfix(result.sources, "directed", text, diagnostics);
-  result.program = build_postfix(
+  result.program = build_declared(
       read_postfix(result.sources, file, diagnostics), diagnostics);
   if (diagnostics.has_errors()) std::abort();
   return result;

@@ -60,9 +60,9 @@ void describe(const ElementKind& kind, std::string& out) {
     out += "result = " + std::string(operation.result) + "\n```\n";
   }
   if (!kind.done.empty()) {
-    const std::string name = kind.dialect == "iec"
-                                 ? std::string("name")
-                                 : std::string(kind.letter) + "(n)";
+    const bool indexed = kind.is_in("yun") || kind.is_in("sim");
+    const std::string name =
+        !indexed ? std::string("name") : std::string(kind.letter) + "(n)";
     out += "\nIn properties: `" + name + ".q` is `" + std::string(kind.done) +
            "`, `" + name + "." +
            (kind.family == ElementFamily::Timer ? "elapsed" : "value") +

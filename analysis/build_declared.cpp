@@ -1,4 +1,4 @@
-#include "analysis/build_postfix.h"
+#include "analysis/build_declared.h"
 
 #include <algorithm>
 #include <array>
@@ -83,17 +83,18 @@ bool is_element_call(const AstNode& node) {
 }
 
 /// How many arguments of an element's call are constants: index and preset.
-std::uint32_t immediates_of(std::string_view dialect, const AstNode& call) {
-  if (dialect == "iec") {
-    const FoundOperation found = find_operation(dialect, call.text);
+std::uint32_t immediates_of(const Ast& ast, const AstNode& call) {
+  if (ast.language != "postfix") {
+    const FoundOperation found = find_operation(ast.dialect, call.text);
     if (found.operation == nullptr) return 0;
     const auto parameters = found.operation->parameters;
-    const bool timed =
+    const bool preset =
         std::any_of(parameters.begin(), parameters.end(),
                     [](const ElementParameter& parameter) {
-                      return parameter.kind == ParameterKind::Seconds;
+                      return parameter.kind == ParameterKind::Seconds ||
+                             parameter.kind == ParameterKind::Count;
                     });
-    return timed ? 2 : 1;
+    return preset ? 2 : 1;
   }
   for (const postfix::ElementCode& code : postfix::element_codes()) {
     if (code.name != call.text) continue;
@@ -112,9 +113,9 @@ Type operand_type(const ElementOperation& operation, std::size_t position) {
   return Type::Bit;
 }
 
-class PostfixBuilder {
+class DeclaredBuilder {
  public:
-  PostfixBuilder(const Ast& ast, DiagnosticSink& sink)
+  DeclaredBuilder(const Ast& ast, DiagnosticSink& sink)
       : ast_(ast), sink_(sink) {}
 
   Program run() {
@@ -215,7 +216,7 @@ class PostfixBuilder {
       const AstNode& node = ast_.nodes[at];
       calls[at + 1] = calls[at] + (is_element_call(node) ? 1U : 0U);
       if (is_element_call(node)) {
-        const std::uint32_t immediates = immediates_of(ast_.dialect, node);
+        const std::uint32_t immediates = immediates_of(ast_, node);
         for (std::uint32_t i = 1; i <= immediates; ++i) {
           immediate_[at - i] = true;
         }
@@ -358,7 +359,7 @@ class PostfixBuilder {
 
   void build_call(std::uint32_t at) {
     const AstNode& node = ast_.nodes[at];
-    const std::uint32_t immediates = immediates_of(ast_.dialect, node);
+    const std::uint32_t immediates = immediates_of(ast_, node);
     const Element* element =
         immediates == 0
             ? nullptr
@@ -428,9 +429,9 @@ class PostfixBuilder {
 
 }  // namespace
 
-Program build_postfix(const Ast& ast, DiagnosticSink& sink) {
+Program build_declared(const Ast& ast, DiagnosticSink& sink) {
   ErrorLimit errors(sink);
-  Program program = PostfixBuilder(ast, errors).run();
+  Program program = DeclaredBuilder(ast, errors).run();
   errors.finish();
   return program;
 }
