@@ -169,11 +169,11 @@ constexpr std::array<SimulatedShape, 5> kShapes = {{
 
 /// One line a dialect.
 std::span<const SimulatedDialect> dialects() {
-  static const std::array kDialects = {
+  static const std::array all = {
       SimulatedDialect{kOperations, kShapes},
       simulated_iec(),
   };
-  return kDialects;
+  return all;
 }
 
 }  // namespace

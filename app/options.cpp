@@ -163,7 +163,9 @@ void add_common(CLI::App& app, RawOptions& raw, Options& options) {
       ->allow_extra_args(false);
   app.add_option("--scan", raw.scan, "MIN..MAX: ms that a scan takes");
   app.add_option("--semantics", options.semantics,
-                 "what the language means: yun, sim");
+                 "what the language means, as a tool has it: yun, sim, iec...");
+  app.add_flag("--stable-inputs", options.stable_inputs,
+               "inputs do not change in a scan, also where each read samples");
   app.add_option("--dialect", options.dialect, "of scripts: yun, sim");
   app.add_option("--language", options.language,
                  "of the input; else recognised by its content");

@@ -30,6 +30,7 @@ struct Options {
   std::string semantics;
   std::string dialect;
   std::string language;
+  bool stable_inputs = false;
   std::string props;
   std::vector<std::string> properties;  // --property; empty: all
   double timeout = 60;

@@ -1,6 +1,11 @@
 #include "reports/summary_line.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <string_view>
+#include <vector>
 
 #include "reports/explain.h"
 
@@ -35,6 +40,22 @@ std::string finding_counts(const Summary& summary) {
   return out.empty() ? "no findings" : out;
 }
 
+/// What the programs were taken to mean. Scripts have one meaning, that of
+/// their dialect.
+std::string semantics_of(const Report& report) {
+  std::vector<std::string_view> names;
+  for (const FileReport& file : report.files) {
+    const bool one = file.language == "script" || file.language == "postfix";
+    if (one || file.semantics.empty()) continue;
+    if (std::find(names.begin(), names.end(), file.semantics) == names.end()) {
+      names.push_back(file.semantics);
+    }
+  }
+  return names.empty()
+             ? ""
+             : fmt::format(" under `{}` semantics", fmt::join(names, "`, `"));
+}
+
 }  // namespace
 
 std::string summary_line(const Report& report, const Painter& paint) {
@@ -43,8 +64,8 @@ std::string summary_line(const Report& report, const Painter& paint) {
   if (summary.read < summary.files) {
     out += fmt::format("{} of ", summary.read);
   }
-  out +=
-      quantity(summary.files, "file") + ", " + quantity(summary.rungs, "rung");
+  out += quantity(summary.files, "file") + ", " +
+         quantity(summary.rungs, "rung") + semantics_of(report);
   if (report.proved) {
     if (summary.obligations == 0) {
       out += ", no obligations";
