@@ -46,7 +46,7 @@ std::string semantics_of(const Report& report) {
   std::vector<std::string_view> names;
   for (const FileReport& file : report.files) {
     const bool one = file.language == "script" || file.language == "postfix";
-    if (one || file.semantics.empty()) continue;
+    if (one || !file.program || file.semantics.empty()) continue;
     if (std::find(names.begin(), names.end(), file.semantics) == names.end()) {
       names.push_back(file.semantics);
     }
