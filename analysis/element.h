@@ -84,6 +84,7 @@ struct ElementKind {
   /// Formulas over the states and `p` that properties may name: T(0).q ...
   std::string_view done = {};   // .q
   std::string_view value = {};  // .elapsed of timers, .value of counters
+  bool keeps = false;  // of a timer: nothing but its reset operation clears it
 
   bool is_in(std::string_view wanted) const;
 };

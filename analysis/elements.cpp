@@ -3,6 +3,7 @@
 
 #include "analysis/element.h"
 #include "analysis/elements_iec.h"
+#include "analysis/elements_melsec.h"
 
 namespace rung {
 namespace {
@@ -187,7 +188,8 @@ constexpr std::array<ElementKind, 6> kScriptKinds = {{
      .states = kTimerYunStates,
      .operations = kTimerYunOperations,
      .done = "started && elapsed > p",
-     .value = "elapsed"},
+     .value = "elapsed",
+     .keeps = true},
     {.id = "timer-sim",
      .letter = "T",
      .dialect = "sim",
@@ -244,10 +246,13 @@ constexpr std::array<ElementKind, 6> kScriptKinds = {{
 }};
 
 constexpr auto kKinds = [] {
-  std::array<ElementKind, kScriptKinds.size() + iec::kKinds.size()> all = {};
+  std::array<ElementKind,
+             kScriptKinds.size() + iec::kKinds.size() + melsec::kKinds.size()>
+      all = {};
   std::size_t count = 0;
   for (const ElementKind& kind : kScriptKinds) all[count++] = kind;
   for (const ElementKind& kind : iec::kKinds) all[count++] = kind;
+  for (const ElementKind& kind : melsec::kKinds) all[count++] = kind;
   return all;
 }();
 

@@ -4,6 +4,7 @@
 #include <array>
 
 #include "analysis/simulator_elements_iec.h"
+#include "analysis/simulator_elements_melsec.h"
 
 namespace rung {
 namespace {
@@ -172,6 +173,7 @@ std::span<const SimulatedDialect> dialects() {
   static const std::array all = {
       SimulatedDialect{kOperations, kShapes},
       simulated_iec(),
+      simulated_melsec(),
   };
   return all;
 }
@@ -215,7 +217,8 @@ bool is_running(const SimulatedShape* shape, const SimulatedElement& element) {
 
 std::int64_t elapsed_ms(const SimulatedShape* shape,
                         const SimulatedElement& element, std::int64_t now) {
-  return is_running(shape, element) ? now - element.t0 : 0;
+  if (is_running(shape, element)) return now - element.t0;
+  return shape != nullptr && shape->kept != nullptr ? shape->kept(element) : 0;
 }
 
 }  // namespace rung

@@ -59,10 +59,12 @@ struct SimulatedOperation {
 /// largest preset or count of the instance.
 struct SimulatedShape {
   std::string_view kind;
-  /// The time runs on from scan to scan; where not, the elapsed time is 0.
+  /// The time runs on from scan to scan; where not, the elapsed time is that
+  /// of `kept`, or 0.
   bool (*running)(const SimulatedElement& element) = nullptr;
   bool (*done)(const SimulatedElement& element, std::int64_t parameter,
                std::int64_t now) = nullptr;
+  std::int64_t (*kept)(const SimulatedElement& element) = nullptr;
 };
 
 /// What one dialect adds; simulator_elements.cpp lists them.

@@ -5,6 +5,7 @@
 #include <cstddef>
 
 #include "frontend/il_iec/reader.h"
+#include "frontend/il_mitsubishi/reader.h"
 #include "frontend/postfix/reader.h"
 #include "frontend/script/reader.h"
 
@@ -93,20 +94,6 @@ bool is_structured_text(std::string_view text) {
   return false;
 }
 
-/// `LD X0`, `LDI M1`: a device and nothing else behind the instruction.
-bool is_mitsubishi(std::string_view text) {
-  const std::string_view line = first_line(text);
-  for (const std::string_view word : {"LD", "LDI", "LDP", "LDF"}) {
-    if (!starts_word(line, word)) continue;
-    const std::string_view operand = trimmed(line.substr(word.size()));
-    return operand.size() >= 2 &&
-           std::string_view("XYMSTC").find(operand[0]) !=
-               std::string_view::npos &&
-           operand.find_first_not_of("0123456789", 1) == std::string_view::npos;
-  }
-  return false;
-}
-
 /// Ladders that are drawn with characters.
 bool is_ascii_ladder(std::string_view text) {
   const std::string_view line = first_line(text);
@@ -119,6 +106,7 @@ bool is_script(std::string_view) { return true; }
 using Names = std::string_view;
 constexpr std::array<Names, 2> kScriptPresets = {"yun", "sim"};
 constexpr std::array<Names, 1> kIecPresets = {"iec"};
+constexpr std::array<Names, 1> kMelsecPresets = {"melsec"};
 
 Ast postfix_reader(const SourceSet& sources, FileId file,
                    const ReadOptions& /*options*/, DiagnosticSink& sink) {
@@ -128,6 +116,11 @@ Ast postfix_reader(const SourceSet& sources, FileId file,
 Ast il_iec_reader(const SourceSet& sources, FileId file,
                   const ReadOptions& /*options*/, DiagnosticSink& sink) {
   return read_il_iec(sources, file, sink);
+}
+
+Ast il_mitsubishi_reader(const SourceSet& sources, FileId file,
+                         const ReadOptions& /*options*/, DiagnosticSink& sink) {
+  return read_il_mitsubishi(sources, file, sink);
 }
 
 Ast script_reader(const SourceSet& sources, FileId file,
@@ -140,7 +133,8 @@ constexpr std::array kLanguages = {
     Language{"ldmicro", {}, is_ldmicro},
     Language{"plcopen", {}, is_plcopen},
     Language{"plclib", {}, is_plclib},
-    Language{"il-mitsubishi", {}, is_mitsubishi},
+    Language{"il-mitsubishi", kMelsecPresets, is_il_mitsubishi,
+             il_mitsubishi_reader},
     Language{"il-iec", kIecPresets, is_il_iec, il_iec_reader},
     Language{"st", {}, is_structured_text},
     Language{"ascii", {}, is_ascii_ladder},
@@ -165,8 +159,11 @@ const Language* find_language(std::string_view name) {
 std::string_view declared_language(std::string_view text) {
   std::string_view found;
   any_line_with(text, "language", [&](std::string_view line) {
-    if (!line.starts_with("//@") && !line.starts_with("(*@")) return false;
-    line = trimmed(line.substr(3));
+    const std::size_t mark = line.starts_with(";@") ? 2 : 3;
+    if (mark == 3 && !line.starts_with("//@") && !line.starts_with("(*@")) {
+      return false;
+    }
+    line = trimmed(line.substr(mark));
     if (!starts_word(line, "language")) return false;
     line = trimmed(line.substr(8));
     if (line.ends_with("*)")) line = trimmed(line.substr(0, line.size() - 2));

@@ -18,6 +18,10 @@ constexpr std::array kPresets = {
     Semantics{.name = "iec",
               .elements = "iec",
               .summary = "IEC 61131-3, second edition, as it is written."},
+    Semantics{.name = "melsec",
+              .elements = "melsec",
+              .summary = "Instruction lists as controllers of the FX family "
+                         "execute them."},
 };
 
 }  // namespace

@@ -12,15 +12,15 @@
 
 #include "analysis/program.h"
 #include "analysis/property.h"
-#include "frontend/script/reader.h"
+#include "frontend/recognise.h"
 #include "smt/verify.h"
 
 namespace rung {
 namespace {
 
-// The example programs, and those of docs/properties.md, give the verdicts
-// that they announce: every written property has an `expect` line, and a
-// built-in one that has none is proved.
+// The example programs, and those of the documents, give the verdicts that
+// they announce: every written property has an `expect` line, and a built-in
+// one that has none is proved.
 
 struct Example {
   std::string name;  // file, or "docs/properties.md:LINE"
@@ -43,7 +43,7 @@ std::vector<Example> corpus_files() {
   std::vector<Example> examples;
   for (const auto& entry :
        std::filesystem::recursive_directory_iterator(root)) {
-    if (entry.path().extension() != ".rung") continue;
+    if (!entry.is_regular_file() || entry.path().extension() == ".md") continue;
     examples.push_back(
         {std::filesystem::relative(entry.path(), root).generic_string(),
          read_file(entry.path())});
@@ -53,15 +53,16 @@ std::vector<Example> corpus_files() {
   return examples;
 }
 
-/// The blocks fenced by ```rung of a page.
-std::vector<Example> documented(const std::string& page) {
+/// The blocks of a page that are fenced by ```rung or by ``` and the name of a
+/// language.
+void add_documented(const std::string& page, std::vector<Example>& examples) {
   std::istringstream lines(read_file(RUNG_SOURCE_DIR "/" + page));
-  std::vector<Example> examples;
   bool inside = false;
   int number = 0;
   for (std::string line; std::getline(lines, line);) {
     ++number;
-    if (line == "```rung") {
+    if (line == "```rung" ||
+        (line.starts_with("```") && find_language(line.substr(3)) != nullptr)) {
       inside = true;
       examples.push_back({page + ":" + std::to_string(number), {}});
     } else if (line == "```") {
@@ -70,6 +71,19 @@ std::vector<Example> documented(const std::string& page) {
       examples.back().text += line + "\n";
     }
   }
+}
+
+/// Of docs/properties.md and the pages of the languages.
+std::vector<Example> documented() {
+  std::vector<Example> examples;
+  add_documented("docs/properties.md", examples);
+  std::vector<std::string> pages;
+  for (const auto& entry :
+       std::filesystem::directory_iterator(RUNG_SOURCE_DIR "/docs/languages")) {
+    pages.push_back("docs/languages/" + entry.path().filename().string());
+  }
+  std::sort(pages.begin(), pages.end());
+  for (const std::string& page : pages) add_documented(page, examples);
   return examples;
 }
 
@@ -89,7 +103,14 @@ Outcome outcome_of(const Example& example) {
   SourceSet sources;
   DiagnosticList found;
   const FileId file = sources.add(example.name, example.text);
-  const Ast ast = read_script(sources, file, "", found);
+  const std::string_view named = declared_language(example.text);
+  const Language* const language =
+      named.empty() ? &recognise(example.text) : find_language(named);
+  if (language == nullptr || !language->supported()) {
+    outcome.errors = "no reader for it\n";
+    return outcome;
+  }
+  const Ast ast = language->read(sources, file, {}, found);
   Program program = build_program(ast, {}, found);
   PropertySet properties;
   if (!found.has_errors()) {
@@ -147,14 +168,15 @@ TEST_P(Corpus, GivesTheVerdictsThatItAnnounces) {
 
 INSTANTIATE_TEST_SUITE_P(Files, Corpus, testing::ValuesIn(corpus_files()),
                          case_name);
-INSTANTIATE_TEST_SUITE_P(Documents, Corpus,
-                         testing::ValuesIn(documented("docs/properties.md")),
+INSTANTIATE_TEST_SUITE_P(Documents, Corpus, testing::ValuesIn(documented()),
                          case_name);
 
 TEST(CorpusFiles, SayWhatTheyAre) {
   for (const Example& example : corpus_files()) {
-    EXPECT_EQ(example.text.substr(0, 2), "//") << example.name;
-    EXPECT_NE(example.text.find("//@ expect "), std::string::npos)
+    if (example.name.ends_with(".rung")) {
+      EXPECT_EQ(example.text.substr(0, 2), "//") << example.name;
+    }
+    EXPECT_NE(example.text.find("@ expect "), std::string::npos)
         << example.name << " has no property of its own";
   }
 }
@@ -164,8 +186,7 @@ TEST(CorpusFiles, AreThirtyAndMore) {
   for (const Example& example : corpus_files()) {
     if (!example.name.starts_with("papers/")) continue;
     ++papers;
-    EXPECT_NE(example.text.find("// Source:"), std::string::npos)
-        << example.name;
+    EXPECT_NE(example.text.find(" Source:"), std::string::npos) << example.name;
   }
   EXPECT_GE(papers, 4U);
   EXPECT_GE(corpus_files().size() - papers, 30U);
