@@ -10,6 +10,7 @@
 #include "app/commands.h"
 #include "app/output.h"
 #include "app/session.h"
+#include "app/sweep.h"
 #include "app/version.h"
 #include "smt/oracle.h"
 
@@ -111,7 +112,8 @@ class CheckRun {
   }
 
   const Report& run() {
-    const std::size_t count = session_.inputs().size();
+    list_readings();
+    const std::size_t count = readings_.size();
     report_.files.resize(count);
     const std::size_t workers =
         std::min<std::size_t>(session_.options().jobs, count);
@@ -122,10 +124,30 @@ class CheckRun {
     work();
     for (std::thread& thread : threads) thread.join();
     if (failure_) std::rethrow_exception(failure_);
+    if (session_.options().sweep) note_dependent_verdicts(report_);
     return report_;
   }
 
  private:
+  /// One input as one preset has it; empty: as the options say.
+  struct Reading {
+    std::size_t input = 0;
+    std::string_view semantics;
+  };
+
+  void list_readings() {
+    for (std::size_t i = 0; i < session_.inputs().size(); ++i) {
+      std::vector<std::string_view> presets;
+      if (session_.options().sweep) {
+        presets = session_.presets_of(session_.inputs()[i]);
+      }
+      if (presets.empty()) presets.emplace_back();
+      for (const std::string_view preset : presets) {
+        readings_.push_back({i, preset});
+      }
+    }
+  }
+
   void work() {
     try {
       while (true) {
@@ -139,9 +161,10 @@ class CheckRun {
     }
   }
 
-  FileReport check(std::size_t index) {
-    const Input& input = session_.inputs()[index];
-    Loaded loaded = session_.load(input);
+  FileReport check(std::size_t reading) {
+    const std::size_t index = readings_[reading].input;
+    Loaded loaded =
+        session_.load(session_.inputs()[index], readings_[reading].semantics);
     if (loaded.program) {
       const VerifyOptions options = session_.verify_options(index);
       if (report_.linted) {
@@ -155,6 +178,7 @@ class CheckRun {
   }
 
   Session& session_;
+  std::vector<Reading> readings_;
   Report report_;
   std::atomic<std::size_t> next_ = 0;
   std::mutex failure_mutex_;

@@ -5,6 +5,7 @@
 #include "app/output.h"
 #include "app/session.h"
 #include "app/version.h"
+#include "reports/explain.h"
 #include "smt/equivalence.h"
 
 namespace rung {
@@ -56,6 +57,14 @@ void take(EquivalenceResult result, EquivalenceReport& report) {
                            "` is not compared: the other program has no "
                            "output of that name");
   }
+  for (const std::string& name : result.also_different) {
+    report.notes.push_back("`" + name + "` differs too, in another run");
+  }
+  report.delay = result.delay;
+  if (result.delay > 0) {
+    report.notes.push_back("the second program lags behind by " +
+                           quantity(result.delay, "scan"));
+  }
   report.engine = std::move(result.engine);
   report.reason = std::move(result.reason);
   report.certificate = std::move(result.certificate);
@@ -72,8 +81,11 @@ void take(EquivalenceResult result, EquivalenceReport& report) {
 int run_equiv(const Options& options) {
   Session session(options);
   if (session.error()) return usage_error(*session.error());
-  if (session.inputs().size() != 2) {
-    return usage_error("equiv takes two programs, and a directory is none");
+  const std::size_t named = options.revision.empty() ? 2 : 1;
+  if (options.files.size() != named || session.inputs().size() != 2) {
+    return usage_error(named == 2
+                           ? "equiv takes two programs, and a directory is none"
+                           : "equiv --git REV takes one file");
   }
   EquivalenceReport report = empty_report(session);
   Loaded a = session.load(session.inputs()[0]);
@@ -85,6 +97,8 @@ int run_equiv(const Options& options) {
   equivalence.budget.seconds = options.timeout;
   equivalence.self_check = options.self_check;
   equivalence.map = options.map;
+  equivalence.rungs = options.rungs;
+  equivalence.delay = options.delay;
   equivalence.assumptions = a.report.properties.assumptions;
   equivalence.assumptions_b = b.report.properties.assumptions;
   equivalence.recheck = options.recheck;

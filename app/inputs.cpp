@@ -11,6 +11,7 @@
 #include <system_error>
 #include <utility>
 
+#include "base/process.h"
 #include "frontend/postfix/disassemble.h"
 #include "frontend/postfix/reader.h"
 
@@ -73,6 +74,22 @@ Input failed(const std::string& path, SourceSet& sources, std::string_view code,
   return {file, path, file_error(file, code, std::move(message))};
 }
 
+Input take(const std::string& path, Bytes bytes, SourceSet& sources) {
+  if (!bytes.code.empty()) {
+    return failed(path, sources, bytes.code, std::move(bytes.error));
+  }
+  if (!is_postfix_binary(bytes.text)) {
+    return {sources.add(path, std::move(bytes.text)), path, std::nullopt};
+  }
+  // Places in a binary are those of the text that it stands for.
+  DiagnosticList refused;
+  const FileId file =
+      add_postfix(sources, path, std::move(bytes.text), refused);
+  if (!refused.has_errors()) return {file, path, std::nullopt};
+  const Diagnostic& first = refused.items().front();
+  return failed(path, sources, first.code, first.message);
+}
+
 bool has_known_ending(const fs::path& path) {
   const std::string ending = path.extension().string();
   return std::find(std::begin(kEndings), std::end(kEndings), ending) !=
@@ -125,20 +142,26 @@ Diagnostic file_error(FileId file, std::string_view code, std::string message) {
 }
 
 Input read_input(const std::string& path, SourceSet& sources) {
-  Bytes bytes = read_bytes(path);
-  if (!bytes.code.empty()) {
-    return failed(path, sources, bytes.code, std::move(bytes.error));
+  return take(path, read_bytes(path), sources);
+}
+
+Input read_committed(const std::string& revision, const std::string& path,
+                     SourceSet& sources) {
+  const std::string label = revision + ":" + path;
+  const fs::path file(path);
+  const std::string folder = file.parent_path().string();
+  // `./` makes git look from the folder on, not from the repository's top.
+  ProcessOutput output = run_process(
+      {"git", "-C", folder.empty() ? "." : folder, "show", "--end-of-options",
+       revision + ":./" + file.filename().string()},
+      60, kMaxFileBytes);
+  if (!output.error.empty())
+    return failed(label, sources, "RP070", output.error);
+  if (output.status != 0) {
+    const std::string first = output.text.substr(0, output.text.find('\n'));
+    return failed(label, sources, "RP070", "git: " + first);
   }
-  if (!is_postfix_binary(bytes.text)) {
-    return {sources.add(path, std::move(bytes.text)), path, std::nullopt};
-  }
-  // Places in a binary are those of the text that it stands for.
-  DiagnosticList refused;
-  const FileId file =
-      add_postfix(sources, path, std::move(bytes.text), refused);
-  if (!refused.has_errors()) return {file, path, std::nullopt};
-  const Diagnostic& first = refused.items().front();
-  return failed(path, sources, first.code, first.message);
+  return take(label, {std::move(output.text), {}, {}}, sources);
 }
 
 std::vector<Input> read_inputs(const std::vector<std::string>& paths,

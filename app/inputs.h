@@ -21,6 +21,11 @@ struct Input {
 ///         that the machine would refuse.
 Input read_input(const std::string& path, SourceSet& sources);
 
+/// `path` as it is in the commit `revision` of the git repository that it is
+/// in. Errors: RP070 with what git says.
+Input read_committed(const std::string& revision, const std::string& path,
+                     SourceSet& sources);
+
 /// The same for each path; a directory stands for the scripts (`*.rung`) below
 /// it, in sorted order. One without any is an error: RP072.
 std::vector<Input> read_inputs(const std::vector<std::string>& paths,

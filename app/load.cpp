@@ -159,8 +159,25 @@ std::vector<AstAnnotation> property_lines(const SourceSet& sources,
   return lines;
 }
 
+std::vector<std::string_view> presets_of(const Input& input,
+                                         const Options& options,
+                                         const SourceSet& sources) {
+  if (input.error) return {};
+  DiagnosticList ignored;  // load() reports them
+  const Language* const language =
+      choose_language(input, options, sources[input.file].text(), ignored);
+  if (language == nullptr) return {};
+  return {language->presets.begin(), language->presets.end()};
+}
+
 Loaded load(const Input& input, const Options& options,
-            const std::vector<AstAnnotation>& extra, const SourceSet& sources) {
+            const std::vector<AstAnnotation>& extra, const SourceSet& sources,
+            std::string_view semantics) {
+  if (!semantics.empty()) {
+    Options other = options;
+    other.semantics = semantics;
+    return load(input, other, extra, sources);
+  }
   Loaded loaded;
   loaded.report.file = input.file;
   loaded.report.path = input.path;

@@ -2,6 +2,7 @@
 
 #include <memory>
 #include <optional>
+#include <string_view>
 #include <vector>
 
 #include "analysis/program.h"
@@ -24,10 +25,18 @@ struct Loaded {
   std::shared_ptr<Program> program;  // null: input errors
 };
 
-/// Bytes to a program with its properties.
+/// The presets that fit the input's language, for `--sweep`; empty where no
+/// reader accepts it.
+std::vector<std::string_view> presets_of(const Input& input,
+                                         const Options& options,
+                                         const SourceSet& sources);
+
+/// Bytes to a program with its properties. `semantics`: instead of what the
+/// options say; empty: what they say.
 /// Errors: input errors are in the report's findings: RP07x for what no
 ///         reader accepts, and those of the reader.
 Loaded load(const Input& input, const Options& options,
-            const std::vector<AstAnnotation>& extra, const SourceSet& sources);
+            const std::vector<AstAnnotation>& extra, const SourceSet& sources,
+            std::string_view semantics = {});
 
 }  // namespace rung

@@ -209,14 +209,32 @@ void add_files(CLI::App* command, Options& options, int least, int most) {
 }
 
 constexpr int kMany = 1 << 24;
+constexpr unsigned kMostDelay = 64;
+
+void add_equiv(CLI::App& app, Options& options) {
+  CLI::App* equiv = add_command(app, "equiv", "are two programs the same?");
+  add_files(equiv, options, 1, 2);
+  equiv
+      ->add_option("--rung", options.rungs,
+                   "compare this output only; repeatable")
+      ->allow_extra_args(false);
+  equiv
+      ->add_option("--delay", options.delay,
+                   "the second may lag behind by up to so many scans")
+      ->check(CLI::Range(0U, kMostDelay));
+  equiv->add_option("--git", options.revision,
+                    "REV: compare the file as it is in that commit with it");
+}
 
 void add_commands(CLI::App& app, RawOptions& raw, Options& options) {
   add_files(add_command(app, "check", "findings and proofs, one report"),
             options, 1, kMany);
   add_files(add_command(app, "lint", "findings only"), options, 1, kMany);
-  add_files(add_command(app, "prove", "properties only"), options, 1, kMany);
-  add_files(add_command(app, "equiv", "are two programs the same?"), options, 2,
-            2);
+  CLI::App* prove = add_command(app, "prove", "properties only");
+  add_files(prove, options, 1, kMany);
+  prove->add_flag("--sweep", options.sweep,
+                  "under every preset of semantics that fits the language");
+  add_equiv(app, options);
   CLI::App* lower =
       add_command(app, "lower", "write a program in another language");
   add_files(lower, options, 1, 1);

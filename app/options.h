@@ -31,6 +31,7 @@ struct Options {
   std::string dialect;
   std::string language;
   bool stable_inputs = false;
+  bool sweep = false;  // prove
   std::string props;
   std::vector<std::string> properties;  // --property; empty: all
   double timeout = 60;
@@ -43,6 +44,11 @@ struct Options {
   std::string recheck;
   std::string certificates;
   std::vector<std::pair<std::string, std::string>> map;
+  // equiv
+  std::vector<std::string> rungs;
+  std::uint32_t delay = 0;
+  std::string revision;  // compare with it: --git REV
+
   bool inject_wrong_invariant = false;
   bool inject_wrong_trace = false;
   // lower, run, render, rule

@@ -43,11 +43,17 @@ Session::Session(const Options& options)
     }
     extra_ = property_lines(sources_, props.file);
   }
-  inputs_ = read_inputs(options.files, sources_);
+  if (!options.revision.empty() && options.files.size() == 1) {
+    inputs_.push_back(
+        read_committed(options.revision, options.files.front(), sources_));
+  }
+  for (Input& input : read_inputs(options.files, sources_)) {
+    inputs_.push_back(std::move(input));
+  }
 }
 
-Loaded Session::load(const Input& input) const {
-  return rung::load(input, options_, extra_, sources_);
+Loaded Session::load(const Input& input, std::string_view semantics) const {
+  return rung::load(input, options_, extra_, sources_, semantics);
 }
 
 VerifyOptions Session::verify_options(std::size_t index) {

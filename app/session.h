@@ -24,7 +24,10 @@ class Session {
   SourceSet& sources() { return sources_; }
   const Options& options() const { return options_; }
 
-  Loaded load(const Input& input) const;
+  Loaded load(const Input& input, std::string_view semantics = {}) const;
+  std::vector<std::string_view> presets_of(const Input& input) const {
+    return rung::presets_of(input, options_, sources_);
+  }
   /// For the input at `index`. With several inputs each has a directory of
   /// its own for certificates: properties of two programs may share a name.
   VerifyOptions verify_options(std::size_t index);

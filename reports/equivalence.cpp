@@ -126,6 +126,7 @@ Json json_of(const EquivalenceReport& report) {
   Json json = {{"schema", "rungproof.equiv/1"},
                {"verdict", report.verdict},
                {"outputs", report.outputs},
+               {"delay", report.delay},
                {"engine", report.engine},
                {"certificate", nullptr},
                {"trace", nullptr},

@@ -68,7 +68,21 @@ class TextWriter {
  private:
   using Detail = TextOptions::Detail;
 
+  /// The same file is there once for each preset of semantics, in a row.
+  bool is_swept(const FileReport& file) const {
+    const FileReport* const first = report_.files.data();
+    const FileReport* const last = first + report_.files.size() - 1;
+    return (&file != first && (&file)[-1].file == file.file) ||
+           (&file != last && (&file)[1].file == file.file);
+  }
+
   void write_file(const FileReport& file) {
+    if (is_swept(file)) {
+      out_ += paint_(Ink::Strong,
+                     fmt::format("{} under `{}` semantics",
+                                 printable(file.path), file.semantics)) +
+              "\n";
+    }
     for (const Diagnostic& finding : file.findings) {
       out_ += diagnostic_text(*report_.sources, finding, paint_, locator_);
       out_ += '\n';

@@ -51,15 +51,17 @@ class InputNames : public NameResolver {
 class EquivalenceCheck {
  public:
   EquivalenceCheck(const Program& a, const Program& b,
-                   const EquivalenceOptions& options)
+                   const EquivalenceOptions& options, std::uint32_t delay)
       : a_(a),
         b_(b),
         options_(options),
+        delay_(delay),
         deadline_(options.budget.seconds),
         shared_(share_signals(a, b, options.map)) {}
 
   EquivalenceResult run() {
     result_.error = shared_.error;
+    if (result_.error.empty()) select_rungs();
     for (const std::string& text : options_.assumptions) {
       if (result_.error.empty()) check_assumption(text, Side::First);
     }
@@ -80,7 +82,31 @@ class EquivalenceCheck {
   }
 
  private:
+  /// Leaves the outputs that are asked for.
+  void select_rungs() {
+    const auto is_wanted = [&](const SignalPair& pair) {
+      const auto& wanted = options_.rungs;
+      return std::find(wanted.begin(), wanted.end(), a_.cells[pair.a].name) !=
+             wanted.end();
+    };
+    for (const std::string& name : options_.rungs) {
+      const bool known =
+          std::any_of(shared_.outputs.begin(), shared_.outputs.end(),
+                      [&](const SignalPair& pair) {
+                        return a_.cells[pair.a].name == name;
+                      });
+      if (!known)
+        result_.error = "no output in common is called `" + name + "`";
+    }
+    if (!options_.rungs.empty()) {
+      std::erase_if(shared_.outputs,
+                    [&](const SignalPair& pair) { return !is_wanted(pair); });
+      shared_.alone.clear();
+    }
+  }
+
   void equivalent(std::string engine) {
+    result_.delay = delay_;
     result_.verdict = EquivalenceVerdict::Equivalent;
     result_.engine = std::move(engine);
   }
@@ -108,7 +134,8 @@ class EquivalenceCheck {
     proved_ = found.states;
     // Where one program leaves the range of the encoding, so does the other, in
     // the same scan, from equal operands of the same operator.
-    if (!found.outputs_equal || !found.faults_equal) return false;
+    const bool decided = found.outputs_equal && found.faults_equal;
+    if (!decided || delay_ > 0) return false;
     Certificate certificate;
     if (options_.self_check) {
       const std::string wrong = check_correspondence(systems, found);
@@ -129,7 +156,7 @@ class EquivalenceCheck {
   // --- with one --------------------------------------------------------------
 
   Product product(const std::vector<StatePair>& merged) const {
-    Product made = make_product(ts_a_, ts_b_, shared_, merged);
+    Product made = make_product(ts_a_, ts_b_, shared_, merged, delay_);
     assume(made.ts, options_.assumptions, Side::First);
     assume(made.ts, options_.assumptions_b, Side::Second);
     return made;
@@ -262,6 +289,10 @@ class EquivalenceCheck {
         targets.begin(), targets.begin() + static_cast<std::ptrdiff_t>(outputs),
         [](const Target& t) { return t.status == Target::Status::Reached; });
     if (reached != targets.begin() + static_cast<std::ptrdiff_t>(outputs)) {
+      for (std::size_t i = 0; i < outputs; ++i) {
+        if (targets[i].status != Target::Status::Reached) continue;
+        result_.also_different.push_back(result_.outputs[i]);
+      }
       return different(reduced, *reached);
     }
     conclude(whole, reduced, portfolio.invariant(), targets, outputs,
@@ -337,7 +368,7 @@ class EquivalenceCheck {
 
   void different(const Product& reduced, const Target& target) {
     const Stimulus stimulus = to_stimulus(reduced.ts, target.run);
-    LockStep run = run_lockstep(a_, b_, shared_, stimulus);
+    LockStep run = run_lockstep(a_, b_, shared_, stimulus, delay_);
     if (!run.differs) {
       for (const Variable& variable : reduced.ts.vars) {
         if (variable.role != VarRole::Choice) continue;
@@ -350,6 +381,7 @@ class EquivalenceCheck {
     result_.verdict = EquivalenceVerdict::Different;
     result_.engine = target.engine;
     result_.differs = std::move(run.output);
+    std::erase(result_.also_different, result_.differs);
     split_where_cells_change(a_, b_, run);
     result_.trace_a = simulate(a_, run.stimulus_a);
     result_.trace_b = simulate(b_, run.stimulus_b);
@@ -359,6 +391,7 @@ class EquivalenceCheck {
   const Program& a_;
   const Program& b_;
   const EquivalenceOptions& options_;
+  const std::uint32_t delay_;
   Deadline deadline_;
   SharedSignals shared_;
   TransitionSystem ts_a_;
@@ -372,7 +405,21 @@ class EquivalenceCheck {
 
 EquivalenceResult check_equivalence(const Program& a, const Program& b,
                                     const EquivalenceOptions& options) {
-  return EquivalenceCheck(a, b, options).run();
+  EquivalenceResult first = EquivalenceCheck(a, b, options, 0).run();
+  bool undecided = false;
+  for (std::uint32_t delay = 1; delay <= options.delay; ++delay) {
+    if (first.verdict == EquivalenceVerdict::Equivalent) break;
+    if (!first.error.empty() || !first.failures.empty()) break;
+    EquivalenceResult later = EquivalenceCheck(a, b, options, delay).run();
+    const bool equal = later.verdict == EquivalenceVerdict::Equivalent;
+    if (equal || !later.failures.empty()) return later;
+    undecided = undecided || later.verdict != EquivalenceVerdict::Different;
+  }
+  if (first.verdict == EquivalenceVerdict::Different && undecided) {
+    first.verdict = EquivalenceVerdict::Unknown;
+    first.reason = "different in the same scan, and undecided with a delay";
+  }
+  return first;
 }
 
 }  // namespace rung

@@ -23,6 +23,10 @@ struct EquivalenceOptions {
   bool self_check = true;
   /// Signal of the first program, signal of the second.
   std::vector<std::pair<std::string, std::string>> map;
+  std::vector<std::string> rungs;  // outputs to compare; empty: all shared
+  /// In each scan the second program's outputs may be those of the first that
+  /// many scans ago: the same number in all scans, from 0 up to this.
+  std::uint32_t delay = 0;
   std::vector<std::string> assumptions;    // over the first's inputs, checked
   std::vector<std::string> assumptions_b;  // the same, over the second's
   std::string recheck;           // "cvc5": re-check with that binary as well
@@ -36,6 +40,8 @@ struct EquivalenceResult {
   std::string reason;
   std::vector<std::string> not_compared;  // outputs of one side: "a.y3"
   std::string differs;  // the output that does, as the first program names it
+  std::vector<std::string> also_different;  // others, in runs of their own
+  std::uint32_t delay = 0;  // of the second program, where they are equivalent
   std::optional<Certificate> certificate;
   std::optional<Stimulus> stimulus_a;  // inputs of both are the same values
   std::optional<Trace> trace_a;

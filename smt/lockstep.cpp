@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <deque>
 #include <utility>
 #include <vector>
 
@@ -47,6 +48,37 @@ class Side {
   std::vector<std::int64_t> values_;
 };
 
+/// The shared outputs of the first program, as they were some scans ago.
+class Delayed {
+ public:
+  Delayed(const Program& program, const SharedSignals& shared,
+          std::uint32_t delay)
+      : shared_(&shared) {
+    Values initial;
+    for (const SignalPair& pair : shared.outputs) {
+      initial.push_back(program.cells[pair.a].initial);
+    }
+    history_.assign(delay, initial);
+  }
+  void take(const Side& side) {
+    Values now;
+    for (const SignalPair& pair : shared_->outputs) {
+      now.push_back(side.value(pair.a));
+    }
+    history_.push_back(std::move(now));
+    shown_ = std::move(history_.front());
+    history_.pop_front();
+  }
+  std::int64_t operator[](std::size_t output) const { return shown_[output]; }
+
+ private:
+  using Values = std::vector<std::int64_t>;
+
+  const SharedSignals* shared_;
+  std::deque<Values> history_;
+  Values shown_;
+};
+
 /// Steps end where scans of `ends` do (ascending) and where they did.
 void split(Stimulus& stimulus, const std::vector<std::uint64_t>& ends) {
   std::vector<StimulusStep> steps;
@@ -69,10 +101,12 @@ void split(Stimulus& stimulus, const std::vector<std::uint64_t>& ends) {
 }  // namespace
 
 LockStep run_lockstep(const Program& a, const Program& b,
-                      const SharedSignals& shared, const Stimulus& stimulus) {
+                      const SharedSignals& shared, const Stimulus& stimulus,
+                      std::uint32_t delay) {
   LockStep result;
   Side first(a);
   Side second(b);
+  Delayed expected(a, shared, delay);
   for (const SignalPair& pair : shared.inputs) {
     if (pair.a.has_value()) first.add_input(pair.a);
     if (pair.b.has_value()) second.add_input(pair.b);
@@ -88,8 +122,10 @@ LockStep run_lockstep(const Program& a, const Program& b,
     for (std::uint64_t i = 0; i < step.repeat && !result.differs; ++i) {
       first.scan();
       second.scan();
-      for (const SignalPair& pair : shared.outputs) {
-        if (first.value(pair.a) == second.value(pair.b)) continue;
+      expected.take(first);
+      for (std::size_t at = 0; at < shared.outputs.size(); ++at) {
+        const SignalPair& pair = shared.outputs[at];
+        if (expected[at] == second.value(pair.b)) continue;
         result.differs = true;
         result.output = a.cells[pair.a].name;
         break;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <string>
 
 #include "analysis/trace.h"
@@ -17,8 +18,10 @@ struct LockStep {
 };
 
 /// `stimulus` is of their product: its inputs are indices of shared.inputs.
+/// With a delay the first program's outputs are those of so many scans ago.
 LockStep run_lockstep(const Program& a, const Program& b,
-                      const SharedSignals& shared, const Stimulus& stimulus);
+                      const SharedSignals& shared, const Stimulus& stimulus,
+                      std::uint32_t delay = 0);
 
 /// Makes steps of both in which no cell of either program changes, as far as
 /// simulate_changes() does.

@@ -1,5 +1,6 @@
 #include "smt/product.h"
 
+#include <algorithm>
 #include <cassert>
 #include <string>
 #include <unordered_map>
@@ -76,7 +77,7 @@ class ProductBuilder {
                  const SharedSignals& shared)
       : a_(a), b_(b), shared_(shared), from_a_(a, ts()), from_b_(b, ts()) {}
 
-  Product build(const std::vector<StatePair>& merged) {
+  Product build(const std::vector<StatePair>& merged, std::uint32_t delay) {
     ts().scan = a_.scan;
     ts().dt = ts().add_input("dt", VarRole::Dt, Type::Word, a_.scan.min_ms,
                              a_.scan.max_ms);
@@ -100,9 +101,8 @@ class ProductBuilder {
     add_faults(a_, from_a_);
     add_faults(b_, from_b_);
     for (const SignalPair& pair : shared_.outputs) {
-      product_.same.push_back(
-          ts().exprs.equal(from_a_[a_.cell_end[pair.a.index()]],
-                           from_b_[b_.cell_end[pair.b.index()]]));
+      product_.same.push_back(ts().exprs.equal(
+          ago(pair.a, delay), from_b_[b_.cell_end[pair.b.index()]]));
     }
     return std::move(product_);
   }
@@ -111,6 +111,25 @@ class ProductBuilder {
   static constexpr std::uint32_t kNoState = 0xffff'ffff;
 
   TransitionSystem& ts() { return product_.ts; }
+
+  /// What a cell of the first program was at the end of an earlier scan.
+  ExprId ago(CellId cell, std::uint32_t scans) {
+    ExprId value = from_a_[a_.cell_end[cell.index()]];
+    const VarId var = a_.exprs[a_.cell_begin[cell.index()]].var;
+    const Variable& model = a_.vars[var];
+    const auto state = std::find_if(
+        a_.states.begin(), a_.states.end(),
+        [&](const State& candidate) { return candidate.var == var; });
+    for (std::uint32_t i = 1; i <= scans; ++i) {
+      const std::uint32_t link =
+          ts().add_state("a." + model.name + ".ago" + std::to_string(i),
+                         model.type, model.low, model.high, state->init);
+      ts().states[link].next = value;
+      value = ts().state_expr(link);
+      product_.history.push_back(link);
+    }
+    return value;
+  }
 
   static std::unordered_map<CellId, VarId> inputs_of(
       const TransitionSystem& system) {
@@ -204,8 +223,9 @@ class ProductBuilder {
 
 Product make_product(const TransitionSystem& a, const TransitionSystem& b,
                      const SharedSignals& shared,
-                     const std::vector<StatePair>& merged) {
-  return ProductBuilder(a, b, shared).build(merged);
+                     const std::vector<StatePair>& merged,
+                     std::uint32_t delay) {
+  return ProductBuilder(a, b, shared).build(merged, delay);
 }
 
 Invariant widen_invariant(const Product& reduced, const Invariant& invariant,
@@ -220,6 +240,7 @@ Invariant widen_invariant(const Product& reduced, const Invariant& invariant,
   };
   place(reduced.state_a, whole.state_a);
   place(reduced.state_b, whole.state_b);
+  place(reduced.history, whole.history);
   Importer importer(reduced.ts, whole.ts);
   // Inputs are the same in both, but no lemma has one.
   for (const VarId id : ids_of(reduced.ts.vars)) {

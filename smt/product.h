@@ -15,14 +15,18 @@ struct Product {
   TransitionSystem ts;
   std::vector<std::uint32_t> state_a;  // by state of the first: its index here
   std::vector<std::uint32_t> state_b;
+  std::vector<std::uint32_t> history;  // states that only the product has
   std::vector<ExprId> same;  // by shared output: equal at a scan's end
 };
 
 /// `merged` pairs become one variable, that of the first system: sound where
-/// they are known to be equal in every scan.
+/// they are known to be equal in every scan. With a delay, outputs of the
+/// second are compared with those of the first that many scans ago; before the
+/// first scan these have their initial values.
 Product make_product(const TransitionSystem& a, const TransitionSystem& b,
                      const SharedSignals& shared,
-                     const std::vector<StatePair>& merged);
+                     const std::vector<StatePair>& merged,
+                     std::uint32_t delay = 0);
 
 /// An invariant of `reduced`, a product with merged states, over the variables
 /// of `whole`, the product of the same systems without: its lemmas, and its k.

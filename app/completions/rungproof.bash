@@ -17,8 +17,13 @@ _rungproof() {
       local formats="text json jsonl sarif junit github html"
       [[ $command == render ]] && formats="text svg"
       COMPREPLY=($(compgen -W "$formats" -- "$current")) ;;
-    --semantics|--dialect) COMPREPLY=($(compgen -W "yun sim" -- "$current")) ;;
-    --language) COMPREPLY=($(compgen -W "script postfix" -- "$current")) ;;
+    --dialect) COMPREPLY=($(compgen -W "yun sim" -- "$current")) ;;
+    --semantics)
+      COMPREPLY=($(compgen -W "yun sim iec openplc beremiz-py2 esbmc 
+        ldmicro0.1 ldmicro0.2 logix s7 melsec plclib plclib14" -- "$current")) ;;
+    --language)
+      COMPREPLY=($(compgen -W "script postfix il-iec st plcopen ldmic
+        ro ascii il-mitsubishi stl l5x rungs plclib" -- "$current")) ;;
     --engine)
       COMPREPLY=($(compgen -W "bmc induction pdr simulation" -- "$current")) ;;
     --fail-on)
@@ -28,10 +33,12 @@ _rungproof() {
     --recheck) COMPREPLY=($(compgen -W "cvc5" -- "$current")) ;;
     --to) COMPREPLY=($(compgen -W "postfix" -- "$current")) ;;
     --certificates) COMPREPLY=($(compgen -d -- "$current")) ;;
-    --scan|--timeout|--jobs|--property|--map|--scans|--dt) ;;
+    --scan|--timeout|--jobs|--property|--map|--scans|--dt|--rung|--delay|--git) ;;
     *)
       if [[ $previous != --props && $current == -* ]]; then
         case $command in
+          prove) common+=" --sweep" ;;
+          equiv) common+=" --rung --delay --git" ;;
           lower) common+=" --to --output --binary" ;;
           run) common+=" --stimulus --scans --dt --out" ;;
           render) common+=" --ascii" ;;
