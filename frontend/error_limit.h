@@ -38,6 +38,7 @@ class ErrorLimit : public DiagnosticSink {
 
   /// Further errors are only counted: their text need not be made.
   bool is_full() const { return errors_ >= kLimit; }
+  bool has_errors() const { return errors_ > 0; }
 
   void finish() {
     if (errors_ <= kLimit) return;

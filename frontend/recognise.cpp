@@ -6,6 +6,7 @@
 
 #include "frontend/il_iec/reader.h"
 #include "frontend/il_mitsubishi/reader.h"
+#include "frontend/plcopen/reader.h"
 #include "frontend/postfix/reader.h"
 #include "frontend/script/reader.h"
 
@@ -67,12 +68,6 @@ bool starts_word(std::string_view line, std::string_view word) {
          !trimmed(rest).starts_with("=");
 }
 
-bool is_plcopen(std::string_view text) {
-  const std::string_view line = first_line(text);
-  return line.starts_with("<?xml") || line.starts_with("<project") ||
-         line.starts_with("<!--");
-}
-
 bool is_ldmicro(std::string_view text) {
   return first_line(text).starts_with("LDmicro0.");
 }
@@ -107,6 +102,8 @@ using Names = std::string_view;
 constexpr std::array<Names, 2> kScriptPresets = {"yun", "sim"};
 constexpr std::array<Names, 1> kIecPresets = {"iec"};
 constexpr std::array<Names, 1> kMelsecPresets = {"melsec"};
+constexpr std::array<Names, 4> kDrawingPresets = {"openplc", "beremiz-py2",
+                                                  "esbmc", "iec"};
 
 Ast postfix_reader(const SourceSet& sources, FileId file,
                    const ReadOptions& /*options*/, DiagnosticSink& sink) {
@@ -131,7 +128,7 @@ Ast script_reader(const SourceSet& sources, FileId file,
 constexpr std::array kLanguages = {
     Language{"postfix", kScriptPresets, is_postfix, postfix_reader},
     Language{"ldmicro", {}, is_ldmicro},
-    Language{"plcopen", {}, is_plcopen},
+    Language{"plcopen", kDrawingPresets, is_plcopen, read_plcopen},
     Language{"plclib", {}, is_plclib},
     Language{"il-mitsubishi", kMelsecPresets, is_il_mitsubishi,
              il_mitsubishi_reader},

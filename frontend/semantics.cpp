@@ -17,11 +17,29 @@ constexpr std::array kPresets = {
                          "`&&` and `||` short-circuit."},
     Semantics{.name = "iec",
               .elements = "iec",
-              .summary = "IEC 61131-3, second edition, as it is written."},
+              .order = CoilOrder::Snapshot,
+              .summary = "IEC 61131-3, second edition, as it is written: a "
+                         "network is evaluated as a whole, then the next."},
     Semantics{.name = "melsec",
               .elements = "melsec",
               .summary = "Instruction lists as controllers of the FX family "
                          "execute them."},
+    Semantics{.name = "openplc",
+              .elements = "iec",
+              .summary = "Drawings as the OpenPLC Editor and Beremiz on Python "
+                         "3 compile them: coils as they stand in the file, "
+                         "every wire evaluated anew for each coil."},
+    Semantics{.name = "beremiz-py2",
+              .elements = "iec",
+              .order = CoilOrder::Position,
+              .summary = "Drawings as Beremiz on Python 2 compiles them: coils "
+                         "by row and column, every wire evaluated anew for "
+                         "each coil."},
+    Semantics{.name = "esbmc",
+              .elements = "iec",
+              .order = CoilOrder::Snapshot,
+              .summary = "Drawings as ESBMC-PLC reads them: the contacts of a "
+                         "network see the values from before it."},
 };
 
 }  // namespace

@@ -38,8 +38,11 @@ constexpr std::array<Block, 10> kBlocks = {{
 }  // namespace
 
 std::string Block::element_id(std::string_view dialect) const {
+  // Whole words: `iec` is none of `matiec esbmc`.
   const bool has_own =
-      !dialect.empty() && own.find(dialect) != std::string_view::npos;
+      !dialect.empty() &&
+      (" " + std::string(own) + " ").find(" " + std::string(dialect) + " ") !=
+          std::string::npos;
   return std::string(element) + (has_own ? "-" + std::string(dialect) : "");
 }
 

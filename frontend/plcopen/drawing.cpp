@@ -36,8 +36,7 @@ void check_modifier(const Modifier& modifier, const Element& element,
     wrong = "`negated`, `edge` and `storage` together";
   }
   if (wrong.empty()) return;
-  errors.error("RP094", where,
-               shown(element) + " is not supported: " + wrong);
+  errors.error("RP094", where, shown(element) + " is not supported: " + wrong);
 }
 
 }  // namespace
@@ -91,7 +90,7 @@ void DrawingRun::run_network(const Network& network) {
     std::optional<Value> value = value_of(element.inputs.front(), flow);
     if (!value) continue;
     if (network.size() > 1) {
-      value = scope_->once(std::move(*value), element.where, "wire");
+      value = kept(std::move(*value), element.where);
     }
     values.emplace_back(sink, std::move(*value));
   }
@@ -189,12 +188,11 @@ void DrawingRun::visit_contact(const Task& task) {
   Flow& flow = flows_[task.flow];
   if (!flow.visited.insert(task.element).second) return;
   const Element& contact = graph_->elements[task.element];
-  const Modifier modifier =
-      effective(contact.modifier, drawing_->as_generator);
+  const Modifier modifier = effective(contact.modifier, drawing_->as_generator);
   if (modifier.edge != Edge::None) {
-    auto value = edge(modifier.edge,
-                      as_bit(operand(contact.text), contact.where),
-                      contact.where);
+    auto value =
+        edge(modifier.edge, as_bit(operand(contact.text), contact.where),
+             contact.where);
     if (value) flow.edges.emplace(key_of(task.element, 0), std::move(*value));
   }
   push_inputs(task.element, task.flow, task.ordered);
@@ -212,8 +210,8 @@ void DrawingRun::visit_block(const Task& task) {
   if (task.pin < block.outputs.size() &&
       effective(block.outputs[task.pin].modifier, drawing_->as_generator)
               .edge != Edge::None) {
-    tasks_.push_back({Task::Kind::OutputEdge, task.element, task.pin,
-                      task.flow, task.ordered});
+    tasks_.push_back({Task::Kind::OutputEdge, task.element, task.pin, task.flow,
+                      task.ordered});
   }
   if (task.ordered || !called_.insert(task.element).second) return;
   tasks_.push_back({Task::Kind::Call, task.element});
@@ -234,9 +232,8 @@ void DrawingRun::visit_block(const Task& task) {
 std::optional<Value> DrawingRun::edge(Edge edge, std::optional<Value> clk,
                                       SourceRange where) {
   if (!clk) return std::nullopt;
-  const bool rising = edge == Edge::Rising;
-  return scope_->edge(rising, std::move(*clk),
-                      site(rising ? "R_TRIG" : "F_TRIG"), where);
+  return scope_->edge(edge == Edge::Rising, std::move(*clk),
+                      std::to_string(++edges_), where);
 }
 
 void DrawingRun::output_edge(const Task& task) {
@@ -313,14 +310,21 @@ void DrawingRun::call_function(Index index,
   const Element& block = graph_->elements[index];
   for (std::size_t at = 0; at < arguments.size(); ++at) {
     if (arguments[at].name != "EN") continue;
-    arguments[at].value =
-        scope_->once(std::move(arguments[at].value), block.where, "wire");
+    arguments[at].value = kept(std::move(arguments[at].value), block.where);
     enables_.insert_or_assign(index, arguments[at].value);
   }
   auto value = scope_->function(block.type, std::move(arguments), block.where);
   if (!value) return;
-  results_.insert_or_assign(
-      index, scope_->once(std::move(*value), block.where, "wire"));
+  results_.insert_or_assign(index, kept(std::move(*value), block.where));
+}
+
+Value DrawingRun::kept(Value value, SourceRange where) {
+  if (value.constant) return value;
+  const std::string_view cell =
+      scope_->writer().keep("wire", value.type->shape(), value.nodes, where);
+  Value result{.type = value.type, .where = where};
+  push_leaf(result.nodes, AstOp::Name, cell, where);
+  return result;
 }
 
 }  // namespace rung::plcopen

@@ -128,6 +128,9 @@ class DrawingRun {
   void write_variable(const Element& variable, iec::Value value);
   std::optional<iec::Value> enable_of(Index block);
 
+  /// A value that stays as it is when variables are written.
+  iec::Value kept(iec::Value value, SourceRange where);
+
   const Drawing* drawing_;
   const Graph* graph_;
   iec::Scope* scope_;
@@ -137,9 +140,9 @@ class DrawingRun {
   std::unordered_map<Index, std::vector<Index>> pin_flows_;  // of a call
   std::unordered_map<Index, Index> connector_flows_;
   std::unordered_map<std::uint64_t, iec::Value> input_edges_;
-  std::unordered_map<Index, iec::Value> results_;   // of functions
-  std::unordered_map<Index, iec::Value> enables_;   // ENO of functions
-  std::uint32_t sites_ = 0;
+  std::unordered_map<Index, iec::Value> results_;  // of functions
+  std::unordered_map<Index, iec::Value> enables_;  // ENO of functions
+  std::uint32_t edges_ = 0;  // the place of each in the body, in every run
 };
 
 }  // namespace rung::plcopen

@@ -74,9 +74,9 @@ std::optional<Value> DrawingRun::enable_of(Index index) {
                                    : std::optional(known->second);
   }
   iec::Symbol* const instance = scope_->get(block.instance, block.where);
-  iec::Symbol* const pin =
-      instance == nullptr ? nullptr
-                          : scope_->member(*instance, "ENO", block.where);
+  iec::Symbol* const pin = instance == nullptr
+                               ? nullptr
+                               : scope_->member(*instance, "ENO", block.where);
   return pin == nullptr ? std::nullopt : scope_->read(*pin, block.where);
 }
 

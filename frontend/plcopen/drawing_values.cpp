@@ -98,8 +98,8 @@ std::optional<Value> DrawingRun::compute(const Node& node, Uses& uses) {
     case ElementKind::LeftRail:
       return scope_->bit(true, element.where);
     case ElementKind::Contact: {
-      const auto edge = flows_[node.flow].edges.find(
-          std::uint64_t{node.element} << 32);
+      const auto edge =
+          flows_[node.flow].edges.find(std::uint64_t{node.element} << 32);
       auto own = edge != flows_[node.flow].edges.end()
                      ? std::optional(edge->second)
                      : contact_value(element);
@@ -171,9 +171,9 @@ std::optional<Value> DrawingRun::output_value(Index index, Index output) {
       output < block.outputs.size() ? block.outputs[output].name : "";
   if (!block.instance.empty()) {
     iec::Symbol* const instance = scope_->get(block.instance, block.where);
-    iec::Symbol* const pin =
-        instance == nullptr ? nullptr
-                            : scope_->member(*instance, name, block.where);
+    iec::Symbol* const pin = instance == nullptr
+                                 ? nullptr
+                                 : scope_->member(*instance, name, block.where);
     return pin == nullptr ? std::nullopt : scope_->read(*pin, block.where);
   }
   const bool enable = iec::upper(name) == "ENO";
@@ -182,8 +182,7 @@ std::optional<Value> DrawingRun::output_value(Index index, Index output) {
   if (found != known.end()) return found->second;
   if (enable) return scope_->bit(true, block.where);  // EN is not connected
   scope_->fail("RP096", block.where,
-               "what " + shown(block) +
-                   " gives is used before it is executed");
+               "what " + shown(block) + " gives is used before it is executed");
   return std::nullopt;
 }
 
@@ -198,7 +197,7 @@ std::optional<Value> DrawingRun::operand(const Text& text) {
   const std::string upper = iec::upper(text.text);
   const char first = text.text.empty() ? ' ' : text.text.front();
   const bool number = (first >= '0' && first <= '9') || first == '-' ||
-                      first == '+' ||
+                      first == '+' || first == '\'' || first == '"' ||
                       text.text.find('#') != std::string_view::npos;
   if (number || upper == "TRUE" || upper == "FALSE") {
     return scope_->literal(text.text, text.where);

@@ -66,8 +66,8 @@ struct Element {
   Point place;
   std::int64_t order = 0;  // executionOrderId; 0: none
   Modifier modifier;
-  Text text;  // the variable, the expression, the connector's name
-  std::string_view type;      // of a block
+  Text text;              // the variable, the expression, the connector's name
+  std::string_view type;  // of a block
   std::string_view instance;  // of a block that is no function
   std::vector<Pin> inputs;
   std::vector<Pin> outputs;

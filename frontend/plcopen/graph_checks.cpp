@@ -33,18 +33,18 @@ void find_connectors(Graph& graph, ErrorLimit& errors) {
     if (element.kind != ElementKind::Connector) continue;
     const auto [known, fresh] = connectors.emplace(element.text.text, at);
     if (fresh) continue;
-    errors.error("RP096", element.where,
-                 "there is another connector " +
-                     quoted_excerpt(element.text.text),
-                 {{graph.elements[known->second].where, "the other one"}});
+    errors.error(
+        "RP096", element.where,
+        "there is another connector " + quoted_excerpt(element.text.text),
+        {{graph.elements[known->second].where, "the other one"}});
   }
   for (Element& element : graph.elements) {
     if (element.kind != ElementKind::Continuation) continue;
     const auto found = connectors.find(element.text.text);
     if (found == connectors.end()) {
-      errors.error("RP096", element.where,
-                   "there is no connector " +
-                       quoted_excerpt(element.text.text));
+      errors.error(
+          "RP096", element.where,
+          "there is no connector " + quoted_excerpt(element.text.text));
     } else {
       element.connector = found->second;
     }
@@ -112,8 +112,8 @@ class CircleFinder {
     int count = 0;
     for (auto at = path_.end(); at != begin && count < kShown; ++count) {
       --at;
-      names += (names.empty() ? "" : ", ") +
-               shown(graph_->elements[at->element]);
+      names +=
+          (names.empty() ? "" : ", ") + shown(graph_->elements[at->element]);
     }
     if (path_.end() - begin > kShown) names += ", ...";
     errors_->error("RP097", graph_->elements[first].where,
@@ -127,19 +127,55 @@ class CircleFinder {
   std::vector<Place> path_;
 };
 
+/// Which elements some sink depends on, the sinks too.
+std::vector<bool> used_elements(const Graph& graph) {
+  std::vector<bool> used(graph.elements.size(), false);
+  std::vector<std::uint32_t> open;
+  const auto reach = [&](std::uint32_t at) {
+    if (!used[at]) open.push_back(at);
+    used[at] = true;
+  };
+  for (std::uint32_t at = 0; at < used.size(); ++at) {
+    if (writes(graph.elements[at])) reach(at);
+  }
+  while (!open.empty()) {
+    const Element& element = graph.driver(open.back());
+    open.pop_back();
+    for (const Pin& pin : element.inputs) {
+      for (const Wire& wire : pin.wires) reach(wire.source);
+    }
+  }
+  return used;
+}
+
+/// Power must come from somewhere. A contact that drives nothing has no effect,
+/// connected or not; the tools leave such pieces in their files.
+void check_power(const Graph& graph, ErrorLimit& errors) {
+  const std::vector<bool> used = used_elements(graph);
+  for (std::size_t at = 0; at < used.size(); ++at) {
+    const Element& element = graph.elements[at];
+    if (!needs_power(element.kind)) continue;
+    if (element.inputs.size() > 1) {
+      errors.error("RP096", element.where,
+                   shown(element) + " has two `connectionPointIn`");
+    } else if (!is_connected(element)) {
+      const bool loose = !used[at] && element.kind == ElementKind::Contact;
+      errors.report({.code = "RP096",
+                     .severity = loose ? Severity::Warning : Severity::Error,
+                     .where = element.where,
+                     .message = shown(element) +
+                                " is not connected to anything" +
+                                (loose ? ": it has no effect" : "")});
+    }
+  }
+}
+
 }  // namespace
 
 void check_graph(Graph& graph, ErrorLimit& errors) {
   find_connectors(graph, errors);
-  bool sinks = false;
-  for (const Element& element : graph.elements) {
-    sinks = sinks || writes(element);
-    if (needs_power(element.kind) && !is_connected(element)) {
-      errors.error("RP096", element.where,
-                   shown(element) + " is not connected to anything");
-    }
-  }
-  if (!sinks) {
+  check_power(graph, errors);
+  if (std::none_of(graph.elements.begin(), graph.elements.end(), writes)) {
     errors.error("RP098", graph.where,
                  "this drawing writes nothing: it has neither a coil nor an "
                  "outVariable nor a block");

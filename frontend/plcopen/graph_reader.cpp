@@ -125,11 +125,11 @@ std::uint32_t GraphReader::add(xml_node node, ElementKind kind) {
     xml_->error("RP095", node,
                 quoted_excerpt(local_name(node)) + " has no `localId`");
   } else if (const auto [known, fresh] = by_id_.emplace(id, index); !fresh) {
-    xml_->errors().error("RP095", xml_->range(node),
-                         "the localId " + quoted_excerpt(id) +
-                             " is that of another element",
-                         {{graph_.elements[known->second].where,
-                           shown(graph_.elements[known->second])}});
+    xml_->errors().error(
+        "RP095", xml_->range(node),
+        "the localId " + quoted_excerpt(id) + " is that of another element",
+        {{graph_.elements[known->second].where,
+          shown(graph_.elements[known->second])}});
   }
   return index;
 }
@@ -257,8 +257,8 @@ void GraphReader::read_variable(xml_node node, ElementKind kind) {
 }
 
 void GraphReader::read_connector(xml_node node, ElementKind kind) {
-  xml_->allow_attributes(
-      node, {"localId", "globalId", "height", "width", "name"});
+  xml_->allow_attributes(node,
+                         {"localId", "globalId", "height", "width", "name"});
   const std::uint32_t index = add(node, kind);
   graph_.elements[index].text = xml_->attribute(node, "name");
   if (graph_.elements[index].text.text.empty()) {
@@ -278,8 +278,9 @@ void GraphReader::read_connector(xml_node node, ElementKind kind) {
 }
 
 void GraphReader::read_block(xml_node node) {
-  xml_->allow_attributes(node, {"localId", "globalId", "height", "width",
-                                "executionOrderId", "typeName", "instanceName"});
+  xml_->allow_attributes(
+      node, {"localId", "globalId", "height", "width", "executionOrderId",
+             "typeName", "instanceName"});
   const std::uint32_t index = add(node, ElementKind::Block);
   Element& block = graph_.elements[index];
   block.type = xml_->attribute(node, "typeName").text;
@@ -402,16 +403,16 @@ bool GraphReader::find_output(const Reference& reference, Element& source,
   if (!reference.output.empty()) {
     // ESBMC's files leave the pins to the declaration of the block.
     if (outputs.empty()) outputs.push_back({.name = reference.output});
-    return take(std::find_if(outputs.begin(), outputs.end(), [&](const Pin& one) {
-      return one.name == reference.output;
-    }));
+    return take(std::find_if(
+        outputs.begin(), outputs.end(),
+        [&](const Pin& one) { return one.name == reference.output; }));
   }
   if (outputs.size() == 1) return true;
   if (reference.corners.empty()) return false;
   const Point corner = reference.corners.back();
   return take(std::find_if(outputs.begin(), outputs.end(), [&](const Pin& one) {
-    return corner == Point{source.place.x + one.place.x,
-                           source.place.y + one.place.y};
+    return corner ==
+           Point{source.place.x + one.place.x, source.place.y + one.place.y};
   }));
 }
 
@@ -430,9 +431,9 @@ void GraphReader::link() {
     if (source.kind == ElementKind::RightRail ||
         source.kind == ElementKind::OutVariable ||
         source.kind == ElementKind::Connector) {
-      xml_->errors().error("RP096", reference.where,
-                           "this wire comes from " + shown(source) +
-                               ", which has no output");
+      xml_->errors().error(
+          "RP096", reference.where,
+          "this wire comes from " + shown(source) + ", which has no output");
       continue;
     }
     if (source.kind == ElementKind::Block &&
@@ -440,8 +441,8 @@ void GraphReader::link() {
       xml_->errors().error(
           "RP096", reference.where,
           reference.output.empty()
-              ? "this wire does not say from which output of " +
-                    shown(source) + " it comes"
+              ? "this wire does not say from which output of " + shown(source) +
+                    " it comes"
               : shown(source) + " has no output " +
                     quoted_excerpt(reference.output));
       continue;

@@ -134,8 +134,7 @@ class ProjectReader {
     if (body) {
       read_body(body, pou);
     } else {
-      xml_->error("RP095", node,
-                  quoted_excerpt(pou.name) + " has no `body`");
+      xml_->error("RP095", node, quoted_excerpt(pou.name) + " has no `body`");
     }
   }
 
@@ -222,9 +221,8 @@ class ProjectReader {
   void read_body(xml_node body, iec::Pou& pou) {
     xml_->allow_attributes(body, {"worksheetName", "globalId"});
     std::vector<xml_node> contents = elements_of(body);
-    std::erase_if(contents, [](xml_node node) {
-      return says_nothing(local_name(node));
-    });
+    std::erase_if(contents,
+                  [](xml_node node) { return says_nothing(local_name(node)); });
     if (contents.size() != 1) {
       xml_->error("RP095", body, "a body is one `LD`, `FBD`, `ST` or `IL`");
       return;
@@ -243,9 +241,11 @@ class ProjectReader {
         GraphReader(*xml_).read(content), *semantics_, xml_->errors()));
     for (const Element& element : drawing->graph.elements) {
       if (element.kind == ElementKind::Block) note_block(element, pou);
-      mention_members(element.text.text);
+      note_members(element.text.text, project_);
     }
-    pou.body = [drawing](iec::Scope& scope) { DrawingRun(*drawing, scope).run(); };
+    pou.body = [drawing](iec::Scope& scope) {
+      DrawingRun(*drawing, scope).run();
+    };
   }
 
   /// ESBMC's files leave the declaration of instances out.
@@ -266,19 +266,10 @@ class ProjectReader {
                                .where = block.where,
                                .type_where = block.where});
     } else if (iec::upper(known->type) != iec::upper(block.type)) {
-      xml_->errors().error("RP095", block.where,
-                           shown(block) + " is declared as " +
-                               quoted_excerpt(known->type),
-                           {{known->where, "declared here"}});
-    }
-  }
-
-  void mention_members(std::string_view text) {
-    for (std::size_t at = text.find('.'); at != std::string_view::npos;
-         at = text.find('.', at + 1)) {
-      const std::size_t end = text.find_first_of(". ()", at + 1);
-      project_.mentioned.insert(iec::upper(text.substr(
-          at + 1, end == std::string_view::npos ? end : end - at - 1)));
+      xml_->errors().error(
+          "RP095", block.where,
+          shown(block) + " is declared as " + quoted_excerpt(known->type),
+          {{known->where, "declared here"}});
     }
   }
 
@@ -315,6 +306,18 @@ class ProjectReader {
 };
 
 }  // namespace
+
+void note_members(std::string_view text, iec::Project& project) {
+  for (std::size_t at = text.find('.'); at != std::string_view::npos;
+       at = text.find('.', at + 1)) {
+    const std::size_t end =
+        std::min(text.find_first_not_of("ABCDEFGHIJKLMNOPQRSTUVWXYZ"
+                                        "abcdefghijklmnopqrstuvwxyz0123456789_",
+                                        at + 1),
+                 text.size());
+    project.mentioned.insert(iec::upper(text.substr(at + 1, end - at - 1)));
+  }
+}
 
 iec::Project read_project(const Xml& xml, const Semantics& semantics,
                           Ast& ast) {

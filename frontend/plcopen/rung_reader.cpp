@@ -16,7 +16,7 @@ using pugi::xml_node;
 constexpr std::uint32_t kRail = 0;
 
 bool is_output_name(std::string_view name) {
-  constexpr std::array<std::string_view, 6> kNames = {"Q",  "ET", "CV",
+  constexpr std::array<std::string_view, 6> kNames = {"Q",   "ET", "CV",
                                                       "OUT", "QU", "QD"};
   return std::find(kNames.begin(), kNames.end(), name) != kNames.end();
 }
@@ -65,8 +65,8 @@ void GraphReader::read_rung(xml_node rung) {
 
 void GraphReader::read_rung_relay(xml_node node, ElementKind kind,
                                   std::uint32_t& power) {
-  xml_->allow_attributes(
-      node, {"variable", "negated", "edge", "kind", "lineNumber"});
+  xml_->allow_attributes(node,
+                         {"variable", "negated", "edge", "kind", "lineNumber"});
   for (const xml_node child : elements_of(node)) xml_->refuse(child);
   Element element;
   element.kind = kind;

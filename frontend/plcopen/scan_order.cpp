@@ -26,9 +26,10 @@ bool is_output(const Element& element) {
 /// apart" is no equivalence, so rows that overlap have no order at all.
 void sort_by_place(const Graph& graph, Indices& elements, ErrorLimit& errors) {
   const auto place = [&](std::uint32_t at) { return graph.elements[at].place; };
-  std::stable_sort(
-      elements.begin(), elements.end(),
-      [&](std::uint32_t a, std::uint32_t b) { return place(a).y < place(b).y; });
+  std::stable_sort(elements.begin(), elements.end(),
+                   [&](std::uint32_t a, std::uint32_t b) {
+                     return place(a).y < place(b).y;
+                   });
   for (auto row = elements.begin(); row != elements.end();) {
     auto end = row + 1;
     while (end != elements.end() &&

@@ -64,8 +64,8 @@ std::optional<std::string> character(std::string_view digits) {
     if (at == std::string_view::npos || (!hex && at > 9)) return std::nullopt;
     code = code * (hex ? 16 : 10) + static_cast<std::uint32_t>(at);
   }
-  const bool control = code < 0x20 && code != '\t' && code != '\n' &&
-                       code != '\r';
+  const bool control =
+      code < 0x20 && code != '\t' && code != '\n' && code != '\r';
   const bool surrogate = code >= 0xD800 && code < 0xE000;
   if (control || code == 0x7F || surrogate || code > 0x10FFFF) {
     return std::nullopt;
@@ -104,7 +104,8 @@ Xml::Xml(std::string_view text, FileId file, ErrorLimit& errors)
         result.offset, 0, static_cast<std::ptrdiff_t>(text.size())));
     std::string what = result.description();
     what[0] = static_cast<char>(std::tolower(what[0]));
-    errors.error("RP093", {file, at, at}, "this is not well-formed XML: " + what);
+    errors.error("RP093", {file, at, at},
+                 "this is not well-formed XML: " + what);
     return;
   }
   pugi::xml_node root;
@@ -292,8 +293,7 @@ void Xml::error(std::string_view code, pugi::xml_node node,
 void Xml::refuse(pugi::xml_node element) const {
   error("RP094", element,
         quoted_excerpt(local_name(element)) + " in " +
-            quoted_excerpt(local_name(element.parent())) +
-            " is not supported");
+            quoted_excerpt(local_name(element.parent())) + " is not supported");
 }
 
 void Xml::allow_attributes(

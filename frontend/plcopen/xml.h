@@ -36,6 +36,7 @@ class Xml {
 
   /// Null when the text is not well formed; there is an error then.
   pugi::xml_node root() const { return root_; }
+  pugi::xml_node document() const { return document_; }
   ErrorLimit& errors() const { return *errors_; }
 
   /// The name in an element's start tag; the text of any other node.
