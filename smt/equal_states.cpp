@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <map>
 #include <unordered_map>
 #include <utility>
 
@@ -175,18 +176,20 @@ class CandidatePairs {
       guesses_.likely.push_back(pair);
       named[pair.b] = true;
     }
-    std::unordered_map<std::uint64_t, std::vector<std::uint32_t>> alike;
-    std::unordered_map<std::uint64_t, std::size_t> rank;
+    const std::vector<Part> parts_a = parts_of(a_);
+    const std::vector<Part> parts_b = parts_of(b_);
     for (std::uint32_t i = 0; i < a_.states.size(); ++i) {
-      if (in_cone(product_.state_a[i])) {
-        alike[prints_[product_.state_a[i]]].push_back(i);
-      }
+      if (!in_cone(product_.state_a[i])) continue;
+      const std::uint64_t print = prints_[product_.state_a[i]];
+      alike_[{print, kAnyPart}].push_back(i);
+      alike_[{print, parts_a[i]}].push_back(i);
     }
+    std::map<Class, std::size_t> rank;
     for (std::uint32_t i = 0; i < b_.states.size(); ++i) {
       if (!in_cone(product_.state_b[i])) continue;
-      const std::uint64_t print = prints_[product_.state_b[i]];
-      const std::size_t at = rank[print]++;
-      if (!named[i]) add_alike(i, alike[print], at);
+      const Class of_b{prints_[product_.state_b[i]], parts_b[i]};
+      const std::size_t at = rank[of_b]++;
+      if (!named[i]) add_alike(i, of_b, at);
     }
     return std::move(guesses_);
   }
@@ -206,16 +209,46 @@ class CandidatePairs {
                b_.vars[b_.states[pair.b].var].type;
   }
 
-  /// The one at the same place of the class first: programs that are alike
-  /// mostly name their states in one order.
-  void add_alike(std::uint32_t of_b, const std::vector<std::uint32_t>& of_a,
-                 std::size_t rank) {
+  /// What a state is: that of a cell, or which one of an element. A coil and
+  /// the memory of the timer that it drives are often equal.
+  using Part = std::pair<std::size_t, std::size_t>;
+  using Class = std::pair<std::uint64_t, Part>;  // with the fingerprint
+  static constexpr Part kAnyPart = {0, 1};
+
+  static std::vector<Part> parts_of(const TransitionSystem& ts) {
+    std::vector<Part> parts(ts.states.size(), {0, 0});
+    for (const std::vector<std::uint32_t>& states : ts.instance_states) {
+      for (std::size_t i = 0; i < states.size(); ++i) {
+        parts[states[i]] = {states.size(), i};
+      }
+    }
+    return parts;
+  }
+
+  /// Those that are the same part first, and of them the one at the same place:
+  /// programs that are alike mostly name their states in one order.
+  void add_alike(std::uint32_t of_b, const Class& of, std::size_t rank) {
     constexpr std::size_t kMost = 4;  // classes of idle states may be large
-    const std::size_t count = std::min(kMost, of_a.size());
-    for (std::size_t i = 0; i < count; ++i) {
-      const StatePair pair{of_a[(rank + i) % of_a.size()], of_b};
+    std::vector<std::uint32_t> chosen;
+    const auto choose = [&](const Class& from, std::size_t begin) {
+      const auto found = alike_.find(from);
+      if (found == alike_.end()) return;
+      const std::vector<std::uint32_t>& all = found->second;
+      for (std::size_t i = 0; i < std::min(kMost, all.size()); ++i) {
+        const std::uint32_t candidate = all[(begin + i) % all.size()];
+        const bool is_new =
+            std::find(chosen.begin(), chosen.end(), candidate) == chosen.end();
+        if (is_new && chosen.size() < kMost) chosen.push_back(candidate);
+      }
+    };
+    choose(of, rank);
+    choose({of.first, kAnyPart}, rank);
+    bool first = true;
+    for (const std::uint32_t candidate : chosen) {
+      const StatePair pair{candidate, of_b};
       if (!may_be_equal(pair)) continue;
-      (i == 0 ? guesses_.likely : guesses_.more).push_back(pair);
+      (first ? guesses_.likely : guesses_.more).push_back(pair);
+      first = false;
     }
   }
 
@@ -224,6 +257,7 @@ class CandidatePairs {
   const Product& product_;
   std::vector<bool> in_cone_;
   std::vector<std::uint64_t> prints_;
+  std::map<Class, std::vector<std::uint32_t>> alike_;  // states of the first
   EqualGuesses guesses_;
 };
 

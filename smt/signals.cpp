@@ -182,6 +182,14 @@ std::vector<std::int64_t> own_caps(const Program& program) {
   return caps;
 }
 
+/// A value that timers share which do the same by comparisons that differ a
+/// little (`> 999`, `>= 1000`), whatever they are called.
+std::int64_t rounded_cap(std::int64_t cap) {
+  std::int64_t rounded = 7;
+  while (rounded < cap + 7) rounded = 2 * rounded + 1;
+  return rounded;
+}
+
 }  // namespace
 
 SharedSignals share_signals(
@@ -193,22 +201,10 @@ SharedSignals share_signals(
 std::pair<Program, Program> with_common_caps(const Program& a,
                                              const Program& b) {
   std::pair<Program, Program> both(a, b);
-  const std::vector<std::int64_t> caps_a = own_caps(a);
-  const std::vector<std::int64_t> caps_b = own_caps(b);
-  std::unordered_map<std::string_view, std::int64_t> largest;
-  const auto collect = [&](const Program& program,
-                           const std::vector<std::int64_t>& caps) {
-    for (const InstanceId id : ids_of(program.instances)) {
-      std::int64_t& cap = largest[program.instances[id].name];
-      cap = std::max(cap, caps[id.index()]);
-    }
-  };
-  collect(a, caps_a);
-  collect(b, caps_b);
   for (Program* program : {&both.first, &both.second}) {
+    const std::vector<std::int64_t> caps = own_caps(*program);
     for (const InstanceId id : ids_of(program->instances)) {
-      Instance& instance = program->instances[id];
-      instance.clock_cap = largest.at(instance.name);
+      program->instances[id].clock_cap = rounded_cap(caps[id.index()]);
     }
   }
   return both;

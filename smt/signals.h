@@ -32,8 +32,8 @@ SharedSignals share_signals(
     const Program& a, const Program& b,
     const std::vector<std::pair<std::string, std::string>>& map);
 
-/// Copies of both programs in which elapsed times saturate at the same values:
-/// above the presets of both, whatever their properties compare them with.
+/// Copies of both programs in which elapsed times saturate at values that
+/// follow from the presets alone, whatever their properties compare them with.
 std::pair<Program, Program> with_common_caps(const Program& a,
                                              const Program& b);
 
