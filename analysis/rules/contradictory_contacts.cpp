@@ -36,6 +36,8 @@ A whole rung that the solver proves to be never true is told by
 /// Asks about the series at `node`, which is a part of a rung.
 void ask_series(RuleRun& run, std::uint32_t node) {
   const RungId rung(run.index.rung_of[node]);
+  const CellId target = run.program.rungs[rung].target;
+  if (run.program.cells[target].type != Type::Bit) return;
   const ExprId whole = run.ts.rung_value[rung.index()];
   std::vector<ExprId> claims = {run.ts.exprs.negation(run.ts.node_value[node]),
                                 run.ts.exprs.negation(whole)};

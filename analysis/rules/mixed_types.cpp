@@ -36,7 +36,10 @@ bool beside_literal(const RuleRun& run, std::uint32_t node) {
 }
 
 void check(RuleRun& run) {
-  if (run.program.language == "il-iec") return;  // its types are declared
+  // Elsewhere types are declared, and conversions are the reader's.
+  if (run.program.language != "script" && run.program.language != "postfix") {
+    return;
+  }
   const std::vector<Node>& nodes = run.program.nodes;
   for (std::uint32_t i = 0; i < nodes.size(); ++i) {
     const Node& node = nodes[i];

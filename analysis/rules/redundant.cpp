@@ -109,6 +109,7 @@ void judge(RuleRun& run, const std::vector<std::uint32_t>& candidates,
 }
 
 void ask_rung(RuleRun& run, const Rung& rung, const Report& report) {
+  if (run.program.cells[rung.target].type != Type::Bit) return;
   ExprArena& exprs = run.ts.exprs;
   const ExprId value = run.ts.node_value[rung.root()];
   std::vector<ExprId> claims = {value, exprs.negation(value)};
