@@ -3,6 +3,7 @@
 
 #include "analysis/element.h"
 #include "analysis/elements_iec.h"
+#include "analysis/elements_ldmicro.h"
 #include "analysis/elements_melsec.h"
 
 namespace rung {
@@ -246,13 +247,15 @@ constexpr std::array<ElementKind, 6> kScriptKinds = {{
 }};
 
 constexpr auto kKinds = [] {
-  std::array<ElementKind,
-             kScriptKinds.size() + iec::kKinds.size() + melsec::kKinds.size()>
+  std::array<ElementKind, kScriptKinds.size() + iec::kKinds.size() +
+                              melsec::kKinds.size() +
+                              ldmicro_elements::kKinds.size()>
       all = {};
   std::size_t count = 0;
   for (const ElementKind& kind : kScriptKinds) all[count++] = kind;
   for (const ElementKind& kind : iec::kKinds) all[count++] = kind;
   for (const ElementKind& kind : melsec::kKinds) all[count++] = kind;
+  for (const ElementKind& kind : ldmicro_elements::kKinds) all[count++] = kind;
   return all;
 }();
 

@@ -4,6 +4,7 @@
 #include <array>
 
 #include "analysis/simulator_elements_iec.h"
+#include "analysis/simulator_elements_ldmicro.h"
 #include "analysis/simulator_elements_melsec.h"
 
 namespace rung {
@@ -174,6 +175,7 @@ std::span<const SimulatedDialect> dialects() {
       SimulatedDialect{kOperations, kShapes},
       simulated_iec(),
       simulated_melsec(),
+      simulated_ldmicro(),
   };
   return all;
 }

@@ -4,8 +4,10 @@
 #include <array>
 #include <cstddef>
 
+#include "frontend/ascii/reader.h"
 #include "frontend/il_iec/reader.h"
 #include "frontend/il_mitsubishi/reader.h"
+#include "frontend/ldmicro/reader.h"
 #include "frontend/plcopen/reader.h"
 #include "frontend/postfix/reader.h"
 #include "frontend/script/reader.h"
@@ -69,7 +71,8 @@ bool starts_word(std::string_view line, std::string_view word) {
 }
 
 bool is_ldmicro(std::string_view text) {
-  return first_line(text).starts_with("LDmicro0.");
+  const std::string_view line = first_line(text);
+  return line.starts_with("LDmicro0.") || line == "LDmicro";
 }
 
 bool is_plclib(std::string_view text) {
@@ -89,13 +92,6 @@ bool is_structured_text(std::string_view text) {
   return false;
 }
 
-/// Ladders that are drawn with characters.
-bool is_ascii_ladder(std::string_view text) {
-  const std::string_view line = first_line(text);
-  return line.starts_with("|-") || line.starts_with("||") ||
-         line.starts_with("--|") || line.starts_with("+-");
-}
-
 bool is_script(std::string_view) { return true; }
 
 using Names = std::string_view;
@@ -104,6 +100,8 @@ constexpr std::array<Names, 1> kIecPresets = {"iec"};
 constexpr std::array<Names, 1> kMelsecPresets = {"melsec"};
 constexpr std::array<Names, 4> kDrawingPresets = {"openplc", "beremiz-py2",
                                                   "esbmc", "iec"};
+constexpr std::array<Names, 1> kAsciiPresets = {"ladder-logic"};
+constexpr std::array<Names, 2> kLdmicroPresets = {"ldmicro0.1", "ldmicro0.2"};
 
 Ast postfix_reader(const SourceSet& sources, FileId file,
                    const ReadOptions& /*options*/, DiagnosticSink& sink) {
@@ -127,14 +125,14 @@ Ast script_reader(const SourceSet& sources, FileId file,
 
 constexpr std::array kLanguages = {
     Language{"postfix", kScriptPresets, is_postfix, postfix_reader},
-    Language{"ldmicro", {}, is_ldmicro},
+    Language{"ldmicro", kLdmicroPresets, is_ldmicro, read_ldmicro},
     Language{"plcopen", kDrawingPresets, is_plcopen, read_plcopen},
     Language{"plclib", {}, is_plclib},
     Language{"il-mitsubishi", kMelsecPresets, is_il_mitsubishi,
              il_mitsubishi_reader},
     Language{"il-iec", kIecPresets, is_il_iec, il_iec_reader},
     Language{"st", {}, is_structured_text},
-    Language{"ascii", {}, is_ascii_ladder},
+    Language{"ascii", kAsciiPresets, is_ascii_ladder, read_ascii},
     Language{"script", kScriptPresets, is_script, script_reader},
 };
 

@@ -40,6 +40,21 @@ constexpr std::array kPresets = {
               .order = CoilOrder::Snapshot,
               .summary = "Drawings as ESBMC-PLC reads them: the contacts of a "
                          "network see the values from before it."},
+    Semantics{.name = "ladder-logic",
+              .elements = "iec",
+              .order = CoilOrder::Position,
+              .summary = "Drawn ladders as vdorr's ladder-logic executes them: "
+                         "row by row, each row from left to right."},
+    Semantics{.name = "ldmicro0.1",
+              .elements = "ldmicro",
+              .input_image = false,
+              .summary = "LDmicro, files of its first format: a timer without "
+                         "an adjustment counts one cycle less than its delay."},
+    Semantics{.name = "ldmicro0.2",
+              .elements = "ldmicro",
+              .input_image = false,
+              .summary = "LDmicro, files of its second format: a timer without "
+                         "an adjustment counts the cycles of its delay."},
 };
 
 }  // namespace

@@ -137,14 +137,16 @@ ProgramRun counts_to_the_limit() {
   return run;
 }
 
-/// Up from the smallest value of a CTUD, and down to it again.
-ProgramRun counts_to_the_floor() {
-  ProgramRun run{"CTUD at its floor", {}, {}};
+/// CU CD R LD of a CTUD, and its PV.
+ProgramRun counts_both_ways(std::string name,
+                            const std::vector<std::string>& inputs,
+                            std::int64_t preset) {
+  ProgramRun run{std::move(name), {}, {}};
   run.read.program = single_block("ctud");
-  // CU CD R LD PV
-  run.stimulus =
-      levels(run.read.program, {"0100", "0011", "0000", "1000", "0000"});
-  for (StimulusStep& step : run.stimulus.steps) step.inputs.back() = -32768;
+  run.stimulus = levels(run.read.program, inputs);
+  for (StimulusStep& step : run.stimulus.steps) {
+    step.inputs.back() = preset;
+  }
   return run;
 }
 
@@ -161,7 +163,11 @@ std::vector<ProgramRun> mutant_runs(std::uint64_t count) {
     if (run) runs.push_back(std::move(*run));
     runs.push_back(random_blocks(seed));
   }
-  runs.push_back(counts_to_the_floor());
+  // Up from the smallest value and down to it again; up to the largest one.
+  runs.push_back(counts_both_ways(
+      "CTUD at its floor", {"0100", "0011", "0000", "1000", "0000"}, -32768));
+  runs.push_back(counts_both_ways(
+      "CTUD at its ceiling", {"0101", "0000", "0000", "1000", "0000"}, 32766));
   runs.push_back(counts_to_the_limit());
   runs.push_back(counts_down());
   return runs;

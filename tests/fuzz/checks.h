@@ -3,7 +3,12 @@
 // What every reader owes: errors with a code, words and a place in the file,
 // and a program of the shape that everything behind relies on.
 
+#include <cstddef>
+#include <cstdint>
+#include <string>
+
 #include "analysis/program.h"
+#include "frontend/recognise.h"
 
 inline void check(bool holds) {
   if (!holds) __builtin_trap();
@@ -40,4 +45,21 @@ inline void check_program(const rung::Program& program) {
   for (const rung::Cell& cell : program.cells) {
     check(cell.low <= cell.initial && cell.initial <= cell.high);
   }
+}
+
+/// A reader of a language that declares its cells, and the builder behind it:
+/// what the reader accepts the builder accepts.
+inline void check_declared_reader(decltype(rung::Language::read) read,
+                                  const std::uint8_t* data, std::size_t size) {
+  rung::SourceSet sources;
+  const rung::FileId file = sources.add("fuzz", std::string(data, data + size));
+  rung::recognise(sources[file].text());
+  rung::DiagnosticList list;
+  const rung::Ast ast = read(sources, file, {}, list);
+  check_diagnostics(sources, list);
+  if (list.has_errors()) return;
+  const rung::Program program = rung::build_program(ast, {}, list);
+  check(!list.has_errors());
+  check(program.rungs.size() == ast.rungs.size());
+  check_program(program);
 }
