@@ -6,6 +6,7 @@
 #include "app/session.h"
 #include "app/version.h"
 #include "reports/explain.h"
+#include "smt/blame.h"
 #include "smt/equivalence.h"
 
 namespace rung {
@@ -76,6 +77,18 @@ void take(EquivalenceResult result, EquivalenceReport& report) {
   }
 }
 
+/// A search on top of the answer: it ends soon, found or not.
+void search_repair(const Program& a, const Program& b,
+                   const EquivalenceOptions& options,
+                   const EquivalenceResult& result, EquivalenceReport& report) {
+  constexpr double kMostSeconds = 3;
+  const std::optional<Blame> blame = find_blame(
+      a, b, options, result, std::min(kMostSeconds, options.budget.seconds));
+  if (!blame) return;
+  report.repair = blame->message;
+  report.repair_where = blame->where;
+}
+
 }  // namespace
 
 int run_equiv(const Options& options) {
@@ -110,6 +123,9 @@ int run_equiv(const Options& options) {
                             std::chrono::steady_clock::now() - start)
                             .count();
   if (!result.error.empty()) return usage_error(result.error);
+  if (result.verdict == EquivalenceVerdict::Different) {
+    search_repair(*a.program, *b.program, equivalence, result, report);
+  }
   take(std::move(result), report);
   note_assumptions(a, b, report);
   note_assumptions(b, a, report);

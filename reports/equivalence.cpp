@@ -7,6 +7,7 @@
 #include <unordered_set>
 
 #include "reports/explain.h"
+#include "reports/frame.h"
 #include "reports/json_parts.h"
 #include "reports/scan_table.h"
 #include "reports/unicode.h"
@@ -115,6 +116,17 @@ Json findings_json(const EquivalenceReport& report) {
   return findings;
 }
 
+/// One change of the second program that makes them the same; null: none.
+Json repair_json(const EquivalenceReport& report) {
+  if (report.repair.empty()) return nullptr;
+  Locator locator(*report.sources);
+  const LineColumn at = locator.of(report.repair_where).begin;
+  return {{"file", report.b.path},
+          {"line", at.line},
+          {"column", at.column},
+          {"message", report.repair}};
+}
+
 Json json_of(const EquivalenceReport& report) {
   const Joined joined = join(report);
   Json solvers = Json::object();
@@ -144,6 +156,7 @@ Json json_of(const EquivalenceReport& report) {
                {"self_check", report.self_check},
                {"self_check_failures", std::move(failures)}};
   if (!report.reason.empty()) json["reason"] = report.reason;
+  json["repair"] = repair_json(report);
   if (report.certificate) json["certificate"] = json_of(*report.certificate);
   if (joined.trace) {
     std::vector<CellId> all;
@@ -197,6 +210,13 @@ std::string write_text(const EquivalenceReport& report,
     out += draw_scan_table(
         {*joined.program, *joined.trace, columns(report, joined), "  "}, paint);
     out += '\n';
+  }
+  if (!report.repair.empty()) {
+    Locator locator(*report.sources);
+    out += "  = " + report.repair + ":\n" +
+           draw_frame(*report.sources, {{report.repair_where, {}, true}},
+                      Ink::Note, paint, locator) +
+           "\n";
   }
   if (quiet) return out;
   for (const FileReport* file : {&report.a, &report.b}) {

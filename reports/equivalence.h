@@ -26,11 +26,14 @@ struct EquivalenceReport {
   std::vector<std::string> outputs;      // compared, names of the first
   std::vector<std::pair<std::string, std::string>> map;
   std::string engine;
-  std::uint32_t delay = 0;   // scans that the second lags behind
+  std::uint32_t delay = 0;  // scans that the second lags behind
   std::uint64_t scans = 0;  // of the trace
   double milliseconds = 0;
   std::string reason;
   std::vector<std::string> notes;  // what was not compared
+  /// One change of the second that makes them the same, where there is one.
+  std::string repair;  // "with this contact negated the programs are the same"
+  SourceRange repair_where;
   std::optional<Certificate> certificate;
   std::optional<Trace> trace_a;
   std::optional<Trace> trace_b;

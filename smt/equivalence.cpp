@@ -386,6 +386,7 @@ class EquivalenceCheck {
     result_.trace_a = simulate(a_, run.stimulus_a);
     result_.trace_b = simulate(b_, run.stimulus_b);
     result_.stimulus_a = std::move(run.stimulus_a);
+    result_.stimulus_b = std::move(run.stimulus_b);
   }
 
   const Program& a_;

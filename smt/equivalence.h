@@ -44,6 +44,7 @@ struct EquivalenceResult {
   std::uint32_t delay = 0;  // of the second program, where they are equivalent
   std::optional<Certificate> certificate;
   std::optional<Stimulus> stimulus_a;  // inputs of both are the same values
+  std::optional<Stimulus> stimulus_b;
   std::optional<Trace> trace_a;
   std::optional<Trace> trace_b;
   std::vector<SelfCheckFailure> failures;
