@@ -92,6 +92,16 @@ bool is_structured_text(std::string_view text) {
   return false;
 }
 
+/// Archives and projects of tools that no reader knows yet: without these two
+/// lines their texts would be taken for scripts and refused for their signs.
+bool is_classicladder(std::string_view text) {
+  return text.starts_with("_FILES_CLASSICLADDER");
+}
+
+bool is_vovkplc(std::string_view text) {
+  return first_line(text).starts_with("VOVKPLCPROJECT");
+}
+
 bool is_script(std::string_view) { return true; }
 
 using Names = std::string_view;
@@ -133,6 +143,8 @@ constexpr std::array kLanguages = {
     Language{"il-iec", kIecPresets, is_il_iec, il_iec_reader},
     Language{"st", {}, is_structured_text},
     Language{"ascii", kAsciiPresets, is_ascii_ladder, read_ascii},
+    Language{"classicladder", {}, is_classicladder},
+    Language{"vovkplc", {}, is_vovkplc},
     Language{"script", kScriptPresets, is_script, script_reader},
 };
 

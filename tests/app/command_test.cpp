@@ -162,7 +162,7 @@ TEST(Refused, EachCommandLineEndsInStatusTwoAndSaysWhy) {
   write_text(sandbox.path() / "other.rung", "QW0 = IW0;\n");
   write_text(sandbox.path() / "bad.rung", "Q0 = (I0;\n");
   write_text(sandbox.path() / "yun.rung", "pin3 = pin4;\n");
-  write_text(sandbox.path() / "list.il", "LD X0\nOUT Y0\n");
+  write_text(sandbox.path() / "rungs.clp", "_FILES_CLASSICLADDER\n");
   write_text(sandbox.path() / "bytes.rung", std::string("\x7f"
                                                         "ELF\x02\0\xff",
                                                         7));
