@@ -112,6 +112,7 @@ int run_equiv(const Options& options) {
   equivalence.map = options.map;
   equivalence.rungs = options.rungs;
   equivalence.delay = options.delay;
+  equivalence.settled = options.settled;
   equivalence.assumptions = a.report.properties.assumptions;
   equivalence.assumptions_b = b.report.properties.assumptions;
   equivalence.recheck = options.recheck;
@@ -123,10 +124,16 @@ int run_equiv(const Options& options) {
                             std::chrono::steady_clock::now() - start)
                             .count();
   if (!result.error.empty()) return usage_error(result.error);
-  if (result.verdict == EquivalenceVerdict::Different) {
+  // What is to be repaired is the same in every scan.
+  const bool plain = !options.settled && options.delay == 0;
+  if (plain && result.verdict == EquivalenceVerdict::Different) {
     search_repair(*a.program, *b.program, equivalence, result, report);
   }
   take(std::move(result), report);
+  if (options.settled) {
+    report.notes.emplace_back(
+        "compared only in scans in which nothing moves any more");
+  }
   note_assumptions(a, b, report);
   note_assumptions(b, a, report);
   return emit(report, options);

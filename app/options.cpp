@@ -222,6 +222,8 @@ void add_equiv(CLI::App& app, Options& options) {
       ->add_option("--delay", options.delay,
                    "the second may lag behind by up to so many scans")
       ->check(CLI::Range(0U, kMostDelay));
+  equiv->add_flag("--settled", options.settled,
+                  "compare where nothing moves any more");
   equiv->add_option("--git", options.revision,
                     "REV: compare the file as it is in that commit with it");
 }

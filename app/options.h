@@ -47,6 +47,7 @@ struct Options {
   // equiv
   std::vector<std::string> rungs;
   std::uint32_t delay = 0;
+  bool settled = false;
   std::string revision;  // compare with it: --git REV
 
   bool inject_wrong_invariant = false;

@@ -55,7 +55,7 @@ class EquivalenceCheck {
       : a_(a),
         b_(b),
         options_(options),
-        delay_(delay),
+        comparison_{delay, options.settled},
         deadline_(options.budget.seconds),
         shared_(share_signals(a, b, options.map)) {}
 
@@ -106,7 +106,7 @@ class EquivalenceCheck {
   }
 
   void equivalent(std::string engine) {
-    result_.delay = delay_;
+    result_.delay = comparison_.delay;
     result_.verdict = EquivalenceVerdict::Equivalent;
     result_.engine = std::move(engine);
   }
@@ -135,7 +135,7 @@ class EquivalenceCheck {
     // Where one program leaves the range of the encoding, so does the other, in
     // the same scan, from equal operands of the same operator.
     const bool decided = found.outputs_equal && found.faults_equal;
-    if (!decided || delay_ > 0) return false;
+    if (!decided || comparison_.delay > 0) return false;
     Certificate certificate;
     if (options_.self_check) {
       const std::string wrong = check_correspondence(systems, found);
@@ -156,7 +156,7 @@ class EquivalenceCheck {
   // --- with one --------------------------------------------------------------
 
   Product product(const std::vector<StatePair>& merged) const {
-    Product made = make_product(ts_a_, ts_b_, shared_, merged, delay_);
+    Product made = make_product(ts_a_, ts_b_, shared_, merged, comparison_);
     assume(made.ts, options_.assumptions, Side::First);
     assume(made.ts, options_.assumptions_b, Side::Second);
     return made;
@@ -368,7 +368,7 @@ class EquivalenceCheck {
 
   void different(const Product& reduced, const Target& target) {
     const Stimulus stimulus = to_stimulus(reduced.ts, target.run);
-    LockStep run = run_lockstep(a_, b_, shared_, stimulus, delay_);
+    LockStep run = run_lockstep(a_, b_, shared_, stimulus, comparison_);
     if (!run.differs) {
       for (const Variable& variable : reduced.ts.vars) {
         if (variable.role != VarRole::Choice) continue;
@@ -392,7 +392,7 @@ class EquivalenceCheck {
   const Program& a_;
   const Program& b_;
   const EquivalenceOptions& options_;
-  const std::uint32_t delay_;
+  const Comparison comparison_;
   Deadline deadline_;
   SharedSignals shared_;
   TransitionSystem ts_a_;

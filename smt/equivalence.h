@@ -27,6 +27,7 @@ struct EquivalenceOptions {
   /// In each scan the second program's outputs may be those of the first that
   /// many scans ago: the same number in all scans, from 0 up to this.
   std::uint32_t delay = 0;
+  bool settled = false;                    // see Comparison
   std::vector<std::string> assumptions;    // over the first's inputs, checked
   std::vector<std::string> assumptions_b;  // the same, over the second's
   std::string recheck;           // "cvc5": re-check with that binary as well

@@ -79,6 +79,18 @@ class Delayed {
   Values shown_;
 };
 
+void find_difference(const Program& a, const SharedSignals& shared,
+                     const Delayed& expected, const Side& second,
+                     LockStep& result) {
+  for (std::size_t at = 0; at < shared.outputs.size(); ++at) {
+    const SignalPair& pair = shared.outputs[at];
+    if (expected[at] == second.value(pair.b)) continue;
+    result.differs = true;
+    result.output = a.cells[pair.a].name;
+    return;
+  }
+}
+
 /// Steps end where scans of `ends` do (ascending) and where they did.
 void split(Stimulus& stimulus, const std::vector<std::uint64_t>& ends) {
   std::vector<StimulusStep> steps;
@@ -102,16 +114,17 @@ void split(Stimulus& stimulus, const std::vector<std::uint64_t>& ends) {
 
 LockStep run_lockstep(const Program& a, const Program& b,
                       const SharedSignals& shared, const Stimulus& stimulus,
-                      std::uint32_t delay) {
+                      const Comparison& comparison) {
   LockStep result;
   Side first(a);
   Side second(b);
-  Delayed expected(a, shared, delay);
+  Delayed expected(a, shared, comparison.delay);
   for (const SignalPair& pair : shared.inputs) {
     if (pair.a.has_value()) first.add_input(pair.a);
     if (pair.b.has_value()) second.add_input(pair.b);
   }
   for (const StimulusStep& step : stimulus.steps) {
+    const bool last_step = &step == &stimulus.steps.back();
     for (std::size_t i = 0; i < stimulus.inputs.size(); ++i) {
       const SignalPair& pair = shared.inputs[stimulus.inputs[i].index()];
       if (pair.a.has_value()) first.set(pair.a, step.inputs[i]);
@@ -123,13 +136,9 @@ LockStep run_lockstep(const Program& a, const Program& b,
       first.scan();
       second.scan();
       expected.take(first);
-      for (std::size_t at = 0; at < shared.outputs.size(); ++at) {
-        const SignalPair& pair = shared.outputs[at];
-        if (expected[at] == second.value(pair.b)) continue;
-        result.differs = true;
-        result.output = a.cells[pair.a].name;
-        break;
-      }
+      const bool last = last_step && i + 1 == step.repeat;
+      if (comparison.settled && !last) continue;
+      find_difference(a, shared, expected, second, result);
     }
     if (result.differs) break;
   }

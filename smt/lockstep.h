@@ -4,6 +4,7 @@
 #include <string>
 
 #include "analysis/trace.h"
+#include "smt/product.h"
 #include "smt/signals.h"
 
 namespace rung {
@@ -18,10 +19,10 @@ struct LockStep {
 };
 
 /// `stimulus` is of their product: its inputs are indices of shared.inputs.
-/// With a delay the first program's outputs are those of so many scans ago.
+/// Of settled programs only the last scan counts: there the run ends.
 LockStep run_lockstep(const Program& a, const Program& b,
                       const SharedSignals& shared, const Stimulus& stimulus,
-                      std::uint32_t delay = 0);
+                      const Comparison& comparison = {});
 
 /// Makes steps of both in which no cell of either program changes, as far as
 /// simulate_changes() does.

@@ -77,7 +77,8 @@ class ProductBuilder {
                  const SharedSignals& shared)
       : a_(a), b_(b), shared_(shared), from_a_(a, ts()), from_b_(b, ts()) {}
 
-  Product build(const std::vector<StatePair>& merged, std::uint32_t delay) {
+  Product build(const std::vector<StatePair>& merged,
+                const Comparison& comparison) {
     ts().scan = a_.scan;
     ts().dt = ts().add_input("dt", VarRole::Dt, Type::Word, a_.scan.min_ms,
                              a_.scan.max_ms);
@@ -100,9 +101,11 @@ class ProductBuilder {
     finish_states(b_, from_b_, product_.state_b);
     add_faults(a_, from_a_);
     add_faults(b_, from_b_);
+    const ExprId when = comparison.settled ? settled() : ts().exprs.bit(true);
     for (const SignalPair& pair : shared_.outputs) {
-      product_.same.push_back(ts().exprs.equal(
-          ago(pair.a, delay), from_b_[b_.cell_end[pair.b.index()]]));
+      const ExprId same = ts().exprs.equal(
+          ago(pair.a, comparison.delay), from_b_[b_.cell_end[pair.b.index()]]);
+      product_.same.push_back(ts().exprs.implication(when, same));
     }
     return std::move(product_);
   }
@@ -111,6 +114,37 @@ class ProductBuilder {
   static constexpr std::uint32_t kNoState = 0xffff'ffff;
 
   TransitionSystem& ts() { return product_.ts; }
+
+  /// See Comparison::settled.
+  ExprId settled() {
+    ExprArena& exprs = ts().exprs;
+    std::vector<ExprId> terms;
+    for (const State& state : ts().states) {
+      terms.push_back(exprs.equal(ts().of(state.var), state.next));
+    }
+    const std::uint32_t ran = add_history("ran", Type::Bit, 0, 1, 0);
+    ts().states[ran].next = exprs.bit(true);
+    terms.push_back(ts().state_expr(ran));
+    std::vector<VarId> inputs;
+    for (const VarId id : ids_of(ts().vars)) {
+      if (ts().vars[id].role == VarRole::Input) inputs.push_back(id);
+    }
+    for (const VarId id : inputs) {
+      const Variable input = ts().vars[id];
+      const std::uint32_t before = add_history(
+          input.name + ".before", input.type, input.low, input.high, input.low);
+      ts().states[before].next = ts().of(id);
+      terms.push_back(exprs.equal(ts().state_expr(before), ts().of(id)));
+    }
+    return exprs.conjunction(terms);
+  }
+
+  std::uint32_t add_history(const std::string& name, Type type,
+                            std::int64_t low, std::int64_t high,
+                            std::int64_t init) {
+    product_.history.push_back(ts().add_state(name, type, low, high, init));
+    return product_.history.back();
+  }
 
   /// What a cell of the first program was at the end of an earlier scan.
   ExprId ago(CellId cell, std::uint32_t scans) {
@@ -122,11 +156,10 @@ class ProductBuilder {
         [&](const State& candidate) { return candidate.var == var; });
     for (std::uint32_t i = 1; i <= scans; ++i) {
       const std::uint32_t link =
-          ts().add_state("a." + model.name + ".ago" + std::to_string(i),
-                         model.type, model.low, model.high, state->init);
+          add_history("a." + model.name + ".ago" + std::to_string(i),
+                      model.type, model.low, model.high, state->init);
       ts().states[link].next = value;
       value = ts().state_expr(link);
-      product_.history.push_back(link);
     }
     return value;
   }
@@ -224,8 +257,8 @@ class ProductBuilder {
 Product make_product(const TransitionSystem& a, const TransitionSystem& b,
                      const SharedSignals& shared,
                      const std::vector<StatePair>& merged,
-                     std::uint32_t delay) {
-  return ProductBuilder(a, b, shared).build(merged, delay);
+                     const Comparison& comparison) {
+  return ProductBuilder(a, b, shared).build(merged, comparison);
 }
 
 Invariant widen_invariant(const Product& reduced, const Invariant& invariant,

@@ -8,6 +8,16 @@
 
 namespace rung {
 
+/// When outputs have to be equal.
+struct Comparison {
+  /// Those of the second are compared with those of the first that many scans
+  /// ago; before the first scan these have their initial values.
+  std::uint32_t delay = 0;
+  /// Only in scans that begin and end in the same state, on inputs that were
+  /// there in the scan before: nothing moves any more, no timer runs.
+  bool settled = false;
+};
+
 /// Two systems in lock-step, on the same inputs and dt, as one. Variables of
 /// one side are named `a.x` and `b.x`; shared inputs keep their name. The cell
 /// of an input is its index in SharedSignals::inputs.
@@ -20,13 +30,11 @@ struct Product {
 };
 
 /// `merged` pairs become one variable, that of the first system: sound where
-/// they are known to be equal in every scan. With a delay, outputs of the
-/// second are compared with those of the first that many scans ago; before the
-/// first scan these have their initial values.
+/// they are known to be equal in every scan.
 Product make_product(const TransitionSystem& a, const TransitionSystem& b,
                      const SharedSignals& shared,
                      const std::vector<StatePair>& merged,
-                     std::uint32_t delay = 0);
+                     const Comparison& comparison = {});
 
 /// An invariant of `reduced`, a product with merged states, over the variables
 /// of `whole`, the product of the same systems without: its lemmas, and its k.

@@ -38,7 +38,7 @@ _rungproof() {
       if [[ $previous != --props && $current == -* ]]; then
         case $command in
           prove) common+=" --sweep" ;;
-          equiv) common+=" --rung --delay --git" ;;
+          equiv) common+=" --rung --delay --settled --git" ;;
           lower) common+=" --to --output --binary" ;;
           run) common+=" --stimulus --scans --dt --out" ;;
           render) common+=" --ascii" ;;
