@@ -8,21 +8,29 @@
 #include "app/output.h"
 #include "app/session.h"
 #include "app/translation.h"
+#include "backend/il_iec/write.h"
 #include "backend/postfix/lower.h"
+#include "backend/st/write.h"
 #include "base/text.h"
 
 namespace rung {
 namespace {
 
-/// A language that can be written; `write` is null while it is only planned.
+/// A language that can be written; `write` is null while it is only planned,
+/// and for postfix, which has a form in bytes as well.
 struct Target {
   std::string_view name;
   bool supported = false;
+  std::optional<backend::Written> (*write)(const Program& program,
+                                           const SourceSet& sources,
+                                           DiagnosticSink& sink) = nullptr;
 };
 constexpr std::array kTargets = {
-    Target{"postfix", true}, Target{"il-iec"},  Target{"il-mitsubishi"},
-    Target{"plclib"},        Target{"plcopen"}, Target{"ldmicro"},
-    Target{"ascii"},         Target{"st"},      Target{"script"},
+    Target{"postfix", true}, Target{"il-iec", true, lower_to_il_iec},
+    Target{"il-mitsubishi"}, Target{"plclib"},
+    Target{"plcopen"},       Target{"ldmicro"},
+    Target{"ascii"},         Target{"st", false, lower_to_st},
+    Target{"script"},
 };
 
 std::optional<std::string> check_target(const Options& options) {
@@ -59,10 +67,23 @@ int write_lowered(const Options& options, const std::string& bytes) {
   return error ? output_error(options.output, *error) : 0;
 }
 
+std::optional<backend::Written> write_postfix(const Program& program,
+                                              const Options& options,
+                                              DiagnosticSink& sink) {
+  std::optional<std::string> bytes =
+      options.binary ? lower_to_postfix_binary(program, sink)
+                     : lower_to_postfix_text(program, sink);
+  if (!bytes) return std::nullopt;
+  return backend::Written{.text = std::move(*bytes)};
+}
+
 }  // namespace
 
 int run_lower(const Options& options) {
   if (const auto error = check_target(options)) return usage_error(*error);
+  if (options.binary && options.to != "postfix") {
+    return usage_error("--binary: only postfix has a binary form");
+  }
   const bool to_terminal = options.binary && to_standard_output(options) &&
                            ::isatty(STDOUT_FILENO) != 0;
   if (to_terminal) return usage_error("--binary: a terminal cannot show it");
@@ -75,19 +96,23 @@ int run_lower(const Options& options) {
   if (!loaded.program) {
     return print_input_errors(session.sources(), loaded.report, options);
   }
-  const Program& program = *loaded.program;
+  const auto* const target =
+      std::find_if(kTargets.begin(), kTargets.end(),
+                   [&](const Target& it) { return it.name == options.to; });
   DiagnosticList found;
-  const std::optional<std::string> bytes =
-      options.binary ? lower_to_postfix_binary(program, found)
-                     : lower_to_postfix_text(program, found);
+  std::optional<backend::Written> written =
+      target->write != nullptr
+          ? target->write(*loaded.program, session.sources(), found)
+          : write_postfix(*loaded.program, options, found);
   loaded.report.findings = found.take();
-  if (!bytes) {
-    return print_input_errors(session.sources(), loaded.report, options);
-  }
-  print_input_errors(session.sources(), loaded.report, options);  // notes
-  const Validation validation = validate_translation(program, *bytes, options);
+  print_input_errors(session.sources(), loaded.report, options);  // and notes
+  if (!written) return kExitUsage;
+  const Validation validation =
+      target->write != nullptr
+          ? validate_written(*loaded.program, *written, options)
+          : validate_translation(*loaded.program, written->text, options);
   if (validation.status != 0) return refuse(validation);
-  return write_lowered(options, *bytes);
+  return write_lowered(options, written->text);
 }
 
 }  // namespace rung

@@ -9,9 +9,10 @@
 #include <utility>
 #include <vector>
 
+#include "app/load.h"
 #include "frontend/postfix/reader.h"
 #include "rungproof_machine.h"
-#include "smt/equivalence.h"
+#include "smt/translation.h"
 
 namespace rung {
 namespace {
@@ -92,21 +93,14 @@ std::string first_difference(const EquivalenceResult& result) {
                      result.trace_a->steps.back().scan);
 }
 
-Validation compare(Program source, Program written, const Options& options) {
-  std::string lost = lost_declaration(source, written);
-  if (!lost.empty()) return {kExitInternal, std::move(lost), ""};
-  observe_memory(source);
-  observe_memory(written);
-  // Where elapsed times saturate is a choice of the encoding: the properties
-  // of the source have raised it there.
-  for (const InstanceId id : ids_of(source.instances)) {
-    written.instances[id].clock_cap = source.instances[id].clock_cap;
-  }
+EquivalenceOptions equivalence_options(const Options& options) {
   EquivalenceOptions equivalence;
   equivalence.budget.seconds = options.timeout;
   equivalence.self_check = options.self_check;
-  const EquivalenceResult result =
-      check_equivalence(source, written, equivalence);
+  return equivalence;
+}
+
+Validation answer(const EquivalenceResult& result) {
   if (!result.failures.empty()) {
     return {kExitInternal, "a self-check failed", result.engine};
   }
@@ -121,6 +115,20 @@ Validation compare(Program source, Program written, const Options& options) {
   }
   const std::string& why = result.error.empty() ? result.reason : result.error;
   return {kExitUndecided, why, result.engine};
+}
+
+Validation compare(Program source, Program written, const Options& options) {
+  std::string lost = lost_declaration(source, written);
+  if (!lost.empty()) return {kExitInternal, std::move(lost), ""};
+  observe_memory(source);
+  observe_memory(written);
+  // Where elapsed times saturate is a choice of the encoding: the properties
+  // of the source have raised it there.
+  for (const InstanceId id : ids_of(source.instances)) {
+    written.instances[id].clock_cap = source.instances[id].clock_cap;
+  }
+  return answer(
+      check_equivalence(source, written, equivalence_options(options)));
 }
 
 }  // namespace
@@ -141,6 +149,34 @@ Validation validate_translation(const Program& source,
   // Without a rung there is nothing to compare.
   if (source.rungs.empty() && program->rungs.empty()) return {};
   return compare(source, std::move(*program), options);
+}
+
+Validation validate_written(const Program& source,
+                            const backend::Written& written,
+                            const Options& options) {
+  SourceSet sources;
+  Options reading;
+  reading.language = options.to;
+  reading.scan = source.scan;
+  const FileId file = sources.add("what was written", written.text);
+  const Loaded loaded =
+      load({file, "what was written", {}}, reading, {}, sources);
+  if (!loaded.program) {
+    std::string error;
+    for (const Diagnostic& item : loaded.report.findings) {
+      if (item.severity != Severity::Error || !error.empty()) continue;
+      error = fmt::format("line {}: {}",
+                          sources[file].position(item.where.begin).line,
+                          item.message);
+    }
+    return {kExitInternal, "it cannot be read back: " + error, ""};
+  }
+  const TranslationCheck check =
+      check_translation(source, *loaded.program,
+                        {written.signals, written.elements, written.relations},
+                        equivalence_options(options));
+  if (!check.lost.empty()) return {kExitInternal, check.lost, ""};
+  return answer(check.result);
 }
 
 }  // namespace rung

@@ -4,6 +4,7 @@
 
 #include "analysis/program.h"
 #include "app/options.h"
+#include "backend/unit/unit.h"
 
 namespace rung {
 
@@ -23,5 +24,11 @@ struct Validation {
 Validation validate_translation(const Program& source,
                                 const std::string& written,
                                 const Options& options);
+
+/// The same for the other languages, read back by their readers; the signals
+/// that the source's text names are compared.
+Validation validate_written(const Program& source,
+                            const backend::Written& written,
+                            const Options& options);
 
 }  // namespace rung

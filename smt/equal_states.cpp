@@ -272,9 +272,11 @@ EqualGuesses guess_equal_states(const TransitionSystem& a,
 
 EqualStates find_equal_states(Product& product,
                               const std::vector<StatePair>& guesses,
+                              const std::vector<ExprId>& lemmas,
                               const Deadline& deadline) {
   constexpr std::int64_t kConflicts = 50'000;
   EqualStates result;
+  result.lemma_holds.assign(lemmas.size(), false);
   std::vector<StatePair> pairs;
   std::vector<ExprId> roots = product.same;
   for (const StatePair& pair : guesses) {
@@ -285,6 +287,7 @@ EqualStates find_equal_states(Product& product,
     pairs.push_back(pair);
     roots.push_back(equal);
   }
+  roots.insert(roots.end(), lemmas.begin(), lemmas.end());
   Cone cone(product.ts, roots);
   if (cone.circuit().overflow()) return result;
   Candidates candidates;
@@ -297,6 +300,9 @@ EqualStates find_equal_states(Product& product,
   }
   for (std::size_t i = 0; i < pairs.size(); ++i) {
     if (candidates.lemma_holds[i]) result.pairs.push_back(pairs[i]);
+  }
+  for (std::size_t i = 0; i < lemmas.size(); ++i) {
+    result.lemma_holds[i] = candidates.lemma_holds[pairs.size() + i];
   }
   result.all_outputs = std::all_of(candidates.condition_holds.begin(),
                                    candidates.condition_holds.end(),

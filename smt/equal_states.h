@@ -23,12 +23,16 @@ EqualGuesses guess_equal_states(const TransitionSystem& a,
 struct EqualStates {
   std::vector<StatePair> pairs;
   bool all_outputs = false;
+  std::vector<bool> lemma_holds;  // by lemma
 };
 
+/// `lemmas` are further guesses, about states of any kind.
+///
 /// Source: van Eijk, "Sequential Equivalence Checking Based on Structural
 ///         Similarities", IEEE TCAD 19(7), 2000.
 EqualStates find_equal_states(Product& product,
                               const std::vector<StatePair>& guesses,
+                              const std::vector<ExprId>& lemmas,
                               const Deadline& deadline);
 
 }  // namespace rung

@@ -48,6 +48,45 @@ class InputNames : public NameResolver {
   std::unordered_map<std::string_view, ExprId> terms_;
 };
 
+/// The states of both sides as a relation calls them.
+class RelationNames : public NameResolver {
+ public:
+  RelationNames(const TransitionSystem& a, const TransitionSystem& b,
+                const Product& product)
+      : product_(product), of_a_(by_name(a)), of_b_(by_name(b)) {}
+
+  /// Does every name stand for a state?
+  bool know(const StateRelation& relation) {
+    names_.clear();
+    for (const StateRelation::Name& name : relation.names) {
+      const auto& states = name.second ? of_b_ : of_a_;
+      const auto found = states.find(name.state);
+      if (found == states.end()) return false;
+      const auto& place = name.second ? product_.state_b : product_.state_a;
+      names_[name.name] = product_.ts.state_expr(place[found->second]);
+    }
+    return true;
+  }
+  ExprId resolve(std::string_view name) override {
+    return names_.at(std::string(name));
+  }
+
+ private:
+  using ByName = std::unordered_map<std::string_view, std::uint32_t>;
+  static ByName by_name(const TransitionSystem& ts) {
+    ByName states;
+    for (std::uint32_t i = 0; i < ts.states.size(); ++i) {
+      states.emplace(ts.vars[ts.states[i].var].name, i);
+    }
+    return states;
+  }
+
+  const Product& product_;
+  ByName of_a_;
+  ByName of_b_;
+  std::unordered_map<std::string, ExprId> names_;
+};
+
 class EquivalenceCheck {
  public:
   EquivalenceCheck(const Program& a, const Program& b,
@@ -174,6 +213,19 @@ class EquivalenceCheck {
     }
   }
 
+  /// A term for each relation; `true` for one that speaks of no state.
+  std::vector<ExprId> relations(Product& product) const {
+    RelationNames names(ts_a_, ts_b_, product);
+    std::vector<ExprId> terms;
+    for (const StateRelation& relation : options_.relations) {
+      const Formula formula = parse_formula(relation.formula);
+      const bool known = formula.has_value() && names.know(relation);
+      terms.push_back(known ? compile_formula(product.ts.exprs, formula, names)
+                            : product.ts.exprs.bit(true));
+    }
+    return terms;
+  }
+
   void decide_product() {
     Product whole = product({});
     const EqualGuesses guesses =
@@ -182,7 +234,8 @@ class EquivalenceCheck {
     std::vector<StatePair> open = guesses.likely;
     open.insert(open.end(), guesses.more.begin(), guesses.more.end());
     Product reduced = product(proved_);
-    const EqualStates equal = find_equal_states(reduced, open, deadline_);
+    const EqualStates equal =
+        find_equal_states(reduced, open, relations(reduced), deadline_);
     std::vector<StatePair> merged = equal.pairs;
     merged.insert(merged.end(), proved_.begin(), proved_.end());
     Invariant invariant;
@@ -191,6 +244,12 @@ class EquivalenceCheck {
           whole.ts.exprs.equal(whole.ts.state_expr(whole.state_a[pair.a]),
                                whole.ts.state_expr(whole.state_b[pair.b]));
       invariant.lemmas.push_back({{.term = same}});
+    }
+    const std::vector<ExprId> related = relations(whole);
+    for (std::size_t i = 0; i < related.size(); ++i) {
+      if (equal.lemma_holds[i] && !whole.ts.exprs.is_true(related[i])) {
+        invariant.lemmas.push_back({{.term = related[i]}});
+      }
     }
     const std::vector<ExprId> faults = never_faults(whole);
     if (equal.all_outputs && faults.empty() && whole.ts.constraints.empty()) {

@@ -7,6 +7,7 @@
 
 #include "analysis/program.h"
 #include "analysis/result.h"
+#include "analysis/state_relation.h"
 #include "smt/verify.h"
 
 namespace rung {
@@ -30,6 +31,7 @@ struct EquivalenceOptions {
   bool settled = false;                    // see Comparison
   std::vector<std::string> assumptions;    // over the first's inputs, checked
   std::vector<std::string> assumptions_b;  // the same, over the second's
+  std::vector<StateRelation> relations;
   std::string recheck;           // "cvc5": re-check with that binary as well
   std::string smtlib_directory;  // write the certificate there; empty: nowhere
 };

@@ -4,9 +4,13 @@
 #include <utility>
 
 #include "backend/postfix/listing.h"
+#include "backend/unit/bounds.h"
 
 namespace rung::postfix {
 namespace {
+
+using backend::Bounds;
+using backend::bounds_of;
 
 constexpr std::uint32_t kNoBranch = 0xffff'ffff;
 
@@ -295,31 +299,6 @@ class CodeLister {
 };
 
 }  // namespace
-
-Bounds bounds_of(NodeOp op, Bounds left, Bounds right) {
-  if (op == NodeOp::Add) {
-    return {left.low + right.low, left.high + right.high};
-  }
-  if (op == NodeOp::Subtract) {
-    return {left.low - right.high, left.high - right.low};
-  }
-  if (op == NodeOp::Negate) return {-left.high, -left.low};
-  if (op == NodeOp::Multiply) {
-    const auto [low, high] =
-        std::minmax({left.low * right.low, left.low * right.high,
-                     left.high * right.low, left.high * right.high});
-    return {low, high};
-  }
-  if (op == NodeOp::Divide) {  // by a constant
-    const auto [low, high] =
-        std::minmax({left.low / right.low, left.high / right.low});
-    return {low, high};
-  }
-  if (op == NodeOp::Wrap16 && !left.within(-0x8000, 0x7fff)) {
-    return {-0x8000, 0x7fff};
-  }
-  return op == NodeOp::ToWord ? Bounds{0, 1} : left;
-}
 
 bool list_code(const Program& program,
                const std::vector<std::uint32_t>& address, DiagnosticSink& sink,

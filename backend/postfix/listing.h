@@ -50,19 +50,6 @@ bool list_code(const Program& program,
                const std::vector<std::uint32_t>& address, DiagnosticSink& sink,
                std::vector<Instruction>& code);
 
-/// The bounds of a word, for saying where the machine may stop at a fault.
-struct Bounds {
-  std::int64_t low = 0;
-  std::int64_t high = 1;
-  bool within(std::int64_t least, std::int64_t most) const {
-    return low >= least && high <= most;
-  }
-};
-
-/// The bounds of a word operator's result. The operands' are 32-bit; `right`
-/// is ignored where there is one operand.
-Bounds bounds_of(NodeOp op, Bounds left, Bounds right);
-
 void report_inexpressible(DiagnosticSink& sink, SourceRange where,
                           std::string message);
 

@@ -1,0 +1,485 @@
+#include "backend/unit/elements_iec.h"
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+#include <utility>
+
+namespace rung::backend {
+namespace {
+
+using enum NodeOp;
+
+constexpr std::int64_t kLongest = std::numeric_limits<std::int32_t>::max();
+
+Terms both(Terms left, const Terms& right) {
+  return joined(And, Type::Bit, std::move(left), right);
+}
+
+bool is_false(const Terms& terms) {
+  return terms.size() == 1 && terms[0].op == Constant && terms[0].value == 0;
+}
+
+/// The first output of a block of the standard.
+std::string_view output_of(std::string_view block) {
+  if (block == "CTUD") return "QU";
+  return block == "SR" || block == "RS" ? "Q1" : "Q";
+}
+
+class IecElements : public Elements {
+ public:
+  void declare(UnitBuilder& builder) override {
+    const Program& program = builder.program();
+    uses_.resize(program.instances.size());
+    for (const ElementCall& call : program.calls) {
+      Use& use = uses_[call.instance.index()];
+      use.operations.insert(call.operation->name);
+      if (call.operation->steps()) use.presets.insert(call.parameter);
+    }
+    for (const InstanceId id : ids_of(program.instances)) {
+      declare_instance(builder, id);
+    }
+    bind_pins(builder);
+  }
+
+  Terms call(UnitBuilder& builder, const ElementCall& call,
+             std::vector<Terms> arguments) override {
+    const std::string_view kind =
+        builder.program().instances[call.instance].kind->id;
+    if (kind == "timer-yun") return timer_yun(builder, call, arguments);
+    if (kind == "timer-sim") return timer_sim(builder, call, arguments);
+    if (kind == "timer-off-sim") return off_delay(builder, call, arguments);
+    if (kind == "counter-yun") return counter_yun(builder, call, arguments);
+    if (kind == "counter-sim") return counter_sim(builder, call, arguments);
+    if (kind == "edge") return edge(builder, call, arguments);
+    return own_block(builder, call, std::move(arguments));
+  }
+
+ private:
+  /// An element of the source: how it is called, and what it is here.
+  struct Use {
+    std::set<std::string_view> operations;
+    std::set<std::int64_t> presets;
+    BlockId block;  // no value: states alone
+    std::map<std::string_view, CellId> pins;
+    std::map<std::string_view, CellId> states;
+  };
+
+  Use& use_of(const ElementCall& call) { return uses_[call.instance.index()]; }
+
+  Terms pin(UnitBuilder& builder, Use& use, std::string_view name,
+            Type type = Type::Bit) {
+    return read_term(pin_cell(builder, use, name, type), type);
+  }
+  CellId pin_cell(UnitBuilder& builder, Use& use, std::string_view name,
+                  Type type = Type::Bit) {
+    const auto [at, added] = use.pins.emplace(name, CellId());
+    if (added) at->second = builder.add_pin(use.block, name, type);
+    return at->second;
+  }
+  static Terms state(const Use& use, std::string_view name,
+                     Type type = Type::Bit) {
+    return read_term(use.states.at(name), type);
+  }
+
+  // --- declarations ----------------------------------------------------------
+
+  void declare_instance(UnitBuilder& builder, InstanceId id) {
+    const Instance& instance = builder.program().instances[id];
+    Use& use = uses_[id.index()];
+    const std::string_view kind = instance.kind->id;
+    const auto add_state = [&](std::string_view name, Type type) {
+      use.states[name] = builder.add_state(instance, name, type);
+    };
+    if (kind == "timer-yun") {
+      use.block = builder.add_block("TON", instance);
+      add_state("started", Type::Bit);
+    } else if (kind == "timer-sim") {
+      use.block = builder.add_block("TON", instance);
+    } else if (kind == "timer-off-sim") {
+      use.block = builder.add_block("TOF", instance);
+      // One output for all presets, which the block alone has not.
+      if (use.presets.size() > 1) add_state("out", Type::Bit);
+    } else if (kind == "counter-yun" && use.presets.size() <= 1) {
+      use.block = builder.add_block("CTU", instance);
+    } else if (kind == "counter-yun" || kind == "counter-sim") {
+      add_state("value", Type::Word);
+      add_state("last", Type::Bit);
+    } else if (kind == "edge" && !use.operations.contains("FALL")) {
+      use.block = builder.add_block("R_TRIG", instance);
+    } else if (kind == "edge") {
+      add_state("last", Type::Bit);
+    } else if (instance.kind->dialect == "iec") {
+      use.block = builder.add_block(instance.kind->letter, instance);
+    } else {
+      builder.fail(instance.where, "there is no standard function block for `" +
+                                       instance.name + "`, a " +
+                                       std::string(kind));
+    }
+    relate(builder, instance, use);
+  }
+
+  /// What is equal in both, so that it need not be found again.
+  static void relate(UnitBuilder& builder, const Instance& instance,
+                     const Use& use) {
+    const std::string name = instance.name + ".";
+    const auto add = [&](std::string formula,
+                         std::vector<StateRelation::Name> names) {
+      builder.unit().relations.push_back(
+          {std::move(formula), std::move(names)});
+    };
+    const auto of = [&](std::string_view state) {
+      return builder.unit().variables[use.states.at(state)].name;
+    };
+    const std::string preset =
+        std::to_string(use.presets.empty() ? 0 : *use.presets.rbegin());
+    const std::string_view kind = instance.kind->id;
+    if (kind == "timer-yun" || kind == "timer-sim") {
+      add("s <-> t", {{"s", name + "started"}, {"t", name + "on", true}});
+      add("e == f", {{"e", name + "elapsed"}, {"f", name + "elapsed", true}});
+      add("s || e == 0", {{"s", name + "started"}, {"e", name + "elapsed"}});
+      if (kind == "timer-sim") return;
+      add("s <-> t", {{"s", name + "started"}, {"t", of("started"), true}});
+    } else if (kind == "timer-off-sim") {
+      relate_off_delay(name, preset, use.states.empty() ? "" : of("out"), add);
+    } else if (kind == "counter-yun" && use.block.has_value()) {
+      add("w < " + preset + " ? v == w : v == " + preset,
+          {{"v", name + "value"}, {"w", name + "value", true}});
+      add("l <-> m", {{"l", name + "last"}, {"m", name + "last", true}});
+      add("l <-> m",
+          {{"l", name + "last"},
+           {"m", builder.unit().blocks[use.block].name + ".CU", true}});
+    } else if (kind == "counter-yun" || kind == "counter-sim") {
+      add("v == w", {{"v", name + "value"}, {"w", of("value"), true}});
+      add("v >= 0", {{"v", name + "value"}});
+      add("l <-> m",
+          {{"l", name + (kind == "counter-sim" ? "last_up" : "last")},
+           {"m", of("last"), true}});
+    }
+  }
+
+  template <class Add>
+  static void relate_off_delay(const std::string& name,
+                               const std::string& preset,
+                               const std::string& kept_out, const Add& add) {
+    const StateRelation::Name armed = {"a", name + "armed"};
+    const StateRelation::Name out = {"o", name + "out"};
+    const StateRelation::Name elapsed = {"e", name + "elapsed"};
+    const StateRelation::Name on = {"n", name + "on", true};
+    const StateRelation::Name fallen = {"x", name + "fallen", true};
+    const StateRelation::Name clock = {"f", name + "elapsed", true};
+    add("a <-> n", {armed, on});
+    add("!n || o", {on, out});
+    add("!o || n || x", {out, on, fallen});
+    add("!o || e == f", {out, elapsed, clock});
+    add("!n || f == 0", {on, clock});
+    add("!n || !x", {on, fallen});
+    add("o && !a || e == 0", {out, armed, elapsed});
+    if (kept_out.empty()) {
+      add("o || !x || f >= " + preset, {out, fallen, clock});
+    } else {
+      add("o <-> k", {out, {"k", kept_out, true}});
+    }
+  }
+
+  /// Cells of the source that are pins of its blocks, as readers of IEC
+  /// languages make them, are pins here too.
+  void bind_pins(UnitBuilder& builder) {
+    const Program& program = builder.program();
+    std::map<std::string_view, InstanceId> by_name;
+    for (const InstanceId id : ids_of(program.instances)) {
+      if (program.instances[id].kind->dialect != "iec") continue;
+      by_name.emplace(program.instances[id].name, id);
+    }
+    if (by_name.empty()) return;
+    const std::vector<std::uint32_t> results = count_results(program);
+    std::vector<std::uint32_t> steps(program.instances.size(), 0);
+    for (const ElementCall& call : program.calls) {
+      if (call.operation->steps()) ++steps[call.instance.index()];
+    }
+    for (const CellId id : ids_of(program.cells)) {
+      const Cell& cell = program.cells[id];
+      const std::size_t dot = cell.name.rfind('.');
+      if (!cell.made || dot == std::string::npos) continue;
+      const auto found =
+          by_name.find(std::string_view(cell.name).substr(0, dot));
+      if (found == by_name.end()) continue;
+      const Instance& instance = program.instances[found->second];
+      const std::string_view name =
+          pin_name(instance, cell.name.substr(dot + 1));
+      if (name.empty()) continue;
+      const bool input = is_input(instance, name);
+      if (!input && results[id.index()] != steps[found->second.index()]) {
+        continue;
+      }
+      builder.bind(
+          id, pin_cell(builder, uses_[found->second.index()], name, cell.type));
+    }
+  }
+
+  static bool is_input(const Instance& instance, std::string_view name) {
+    const auto parameters = instance.kind->operations.front().parameters;
+    return std::any_of(
+        parameters.begin(), parameters.end(),
+        [&](const ElementParameter& it) { return it.name == name; });
+  }
+
+  /// In static storage; empty when there is no such pin.
+  static std::string_view pin_name(const Instance& instance,
+                                   const std::string& name) {
+    for (const ElementParameter& it :
+         instance.kind->operations.front().parameters) {
+      if (it.name == name && it.kind != ParameterKind::Index) return it.name;
+    }
+    const std::string_view first = output_of(instance.kind->letter);
+    if (name == first) return first;
+    for (const ElementOperation& it : instance.kind->operations) {
+      const std::size_t dot = it.name.find('.');
+      if (dot != std::string_view::npos && it.name.substr(dot + 1) == name) {
+        return it.name.substr(dot + 1);
+      }
+    }
+    return {};
+  }
+
+  /// By cell: its rungs, where each takes over what a call gives: `t.Q := call`
+  /// or the same behind a condition. 0 for all others.
+  static std::vector<std::uint32_t> count_results(const Program& program) {
+    std::vector<std::uint32_t> counts(program.cells.size(), 0);
+    std::vector<bool> other(program.cells.size(), false);
+    for (const Rung& rung : program.rungs) {
+      const Node& root = program.nodes[rung.root()];
+      const Node* const left = root.op == Or ? &program.nodes[root.a] : nullptr;
+      const bool call =
+          root.op == Call || (left != nullptr && left->op == And &&
+                              program.nodes[left->a].op == Read &&
+                              program.nodes[left->b].op == Call);
+      if (call) {
+        ++counts[rung.target.index()];
+      } else {
+        other[rung.target.index()] = true;
+      }
+    }
+    for (std::size_t i = 0; i < counts.size(); ++i) {
+      if (other[i]) counts[i] = 0;
+    }
+    return counts;
+  }
+
+  // --- blocks of the standard ------------------------------------------------
+
+  Terms own_block(UnitBuilder& builder, const ElementCall& call,
+                  std::vector<Terms> arguments) {
+    Use& use = use_of(call);
+    const ElementOperation& operation = *call.operation;
+    const Type type = operation.word ? Type::Word : Type::Bit;
+    if (operation.reads) {
+      const std::string_view name =
+          operation.name.substr(operation.name.find('.') + 1);
+      return builder.result_of(call, pin(builder, use, name, type));
+    }
+    std::vector<Argument> given;
+    bool timed = false;
+    std::size_t next = 0;
+    for (const ElementParameter& parameter : operation.parameters) {
+      timed = timed || parameter.kind == ParameterKind::Seconds;
+      const bool word = parameter.kind == ParameterKind::Word;
+      if (!word && parameter.kind != ParameterKind::Bit) continue;
+      const CellId cell =
+          pin_cell(builder, use, parameter.name, word ? Type::Word : Type::Bit);
+      Terms& value = arguments[next++];
+      const bool kept =
+          value.size() == 1 && value[0].op == Read && value[0].cell == cell;
+      if (!kept) given.push_back({cell, std::move(value)});
+    }
+    std::optional<std::int64_t> preset;
+    if (timed) preset = preset_of(builder, call, call.parameter);
+    builder.call(use.block, std::move(given), preset);
+    return builder.result_of(
+        call, pin(builder, use, output_of(operation.name), type));
+  }
+
+  static std::int64_t preset_of(UnitBuilder& builder, const ElementCall& call,
+                                std::int64_t milliseconds) {
+    if (milliseconds > kLongest) {
+      builder.fail(call.where, "the preset " + std::to_string(milliseconds) +
+                                   " ms does not fit a TIME: 24 days");
+    }
+    return milliseconds;
+  }
+
+  // --- elements of scripts ---------------------------------------------------
+
+  /// The controller's timer runs on until TR resets it, so a bit holds its
+  /// input; it is done when more than the preset has passed.
+  Terms timer_yun(UnitBuilder& builder, const ElementCall& call,
+                  const std::vector<Terms>& arguments) {
+    Use& use = use_of(call);
+    const Terms input = builder.kept(arguments[0]);
+    const CellId started = use.states.at("started");
+    const bool resets = call.operation->resets;
+    builder.assign(
+        started, resets ? both(state(use, "started"), negated(input))
+                        : joined(Or, Type::Bit, state(use, "started"), input));
+    const std::int64_t preset =
+        resets ? builder.program().instances[call.instance].largest_parameter
+               : call.parameter;
+    builder.call(use.block,
+                 {{pin_cell(builder, use, "IN"), state(use, "started")}},
+                 preset_of(builder, call, preset + 1));
+    if (resets) return input;
+    return builder.result_of(call, both(input, pin(builder, use, "Q")));
+  }
+
+  Terms timer_sim(UnitBuilder& builder, const ElementCall& call,
+                  const std::vector<Terms>& arguments) {
+    Use& use = use_of(call);
+    builder.call(use.block, {{pin_cell(builder, use, "IN"), arguments[0]}},
+                 preset_of(builder, call, call.parameter));
+    // Without a preset it is done whatever its input is.
+    if (call.parameter == 0) return constant_term(Type::Bit, 1);
+    return builder.result_of(call, pin(builder, use, "Q"));
+  }
+
+  Terms off_delay(UnitBuilder& builder, const ElementCall& call,
+                  const std::vector<Terms>& arguments) {
+    Use& use = use_of(call);
+    const bool one = use.states.empty();
+    const Terms input = one ? arguments[0] : builder.kept(arguments[0]);
+    builder.call(use.block, {{pin_cell(builder, use, "IN"), input}},
+                 preset_of(builder, call, call.parameter));
+    if (one) return builder.result_of(call, pin(builder, use, "Q"));
+    builder.assign(use.states.at("out"),
+                   joined(Or, Type::Bit, input,
+                          both(state(use, "out"), pin(builder, use, "Q"))));
+    return builder.result_of(call, state(use, "out"));
+  }
+
+  Terms counter_yun(UnitBuilder& builder, const ElementCall& call,
+                    const std::vector<Terms>& arguments) {
+    Use& use = use_of(call);
+    const bool resets = call.operation->resets;
+    if (!use.block.has_value()) {
+      const Terms input = builder.kept(arguments[0]);
+      return resets ? clear(builder, use, input)
+                    : count(builder, call, use, input);
+    }
+    const CellId reset = pin_cell(builder, use, "R");
+    if (resets) {
+      // Without CU: the edge memory stays as it is.
+      const Terms input = builder.kept(arguments[0]);
+      builder.call(use.block, {{reset, input}}, {});
+      return input;
+    }
+    builder.call(use.block,
+                 {{pin_cell(builder, use, "CU"), arguments[0]},
+                  {reset, constant_term(Type::Bit, 0)},
+                  {pin_cell(builder, use, "PV", Type::Word),
+                   constant_term(Type::Word, preset_word(builder, call, 1))}},
+                 {});
+    return builder.result_of(call, pin(builder, use, "Q"));
+  }
+
+  static Terms clear(UnitBuilder& builder, Use& use, const Terms& input) {
+    builder.assign_when(input, use.states.at("value"),
+                        constant_term(Type::Word, 0));
+    return input;
+  }
+
+  /// A count or `factor` times it, as a word.
+  static std::int64_t preset_word(UnitBuilder& builder, const ElementCall& call,
+                                  std::int64_t factor) {
+    if (call.parameter > 32'766 / factor) {
+      builder.fail(call.where, "the count " + std::to_string(call.parameter) +
+                                   " is too large for the 16 bits of an INT" +
+                                   (factor == 1 ? ""
+                                                : ": this counter goes up to " +
+                                                      std::to_string(factor) +
+                                                      " times it"));
+    }
+    return std::min<std::int64_t>(call.parameter, 32'766 / factor);
+  }
+
+  static Terms one_more(const Use& use) {
+    return joined(Add, Type::Word, state(use, "value", Type::Word),
+                  constant_term(Type::Word, 1));
+  }
+  static Terms compared(NodeOp op, const Use& use, std::int64_t value) {
+    return joined(op, Type::Bit, state(use, "value", Type::Word),
+                  constant_term(Type::Word, value));
+  }
+
+  Terms count(UnitBuilder& builder, const ElementCall& call, Use& use,
+              const Terms& input) {
+    const std::int64_t preset = preset_word(builder, call, 1);
+    const Terms edge = both(input, negated(state(use, "last")));
+    builder.assign_when(both(edge, compared(Less, use, preset)),
+                        use.states.at("value"), one_more(use));
+    builder.assign(use.states.at("last"), input);
+    return builder.result_of(call, compared(GreaterEqual, use, preset));
+  }
+
+  Terms counter_sim(UnitBuilder& builder, const ElementCall& call,
+                    const std::vector<Terms>& arguments) {
+    Use& use = use_of(call);
+    if (!is_false(arguments[1])) {
+      builder.fail(call.where,
+                   "this counter counts down without a bound: no INT holds "
+                   "that");
+    }
+    const std::int64_t last = preset_word(builder, call, 50) * 50;
+    const Terms up = builder.kept(arguments[0]);
+    const bool resets = !is_false(arguments[2]);
+    const Terms reset = resets ? builder.kept(arguments[2]) : arguments[2];
+    Terms counts = both(up, negated(state(use, "last")));
+    Terms next = up;
+    Terms done = compared(Equal, use, call.parameter);
+    if (resets) {
+      counts = both(std::move(counts), negated(reset));
+      next = both(std::move(next), negated(reset));
+      done = both(std::move(done), negated(reset));
+    }
+    const CellId value = use.states.at("value");
+    builder.assign_when(counts, value, one_more(use));
+    if (resets) {
+      builder.assign_when(reset, value, constant_term(Type::Word, 0));
+    }
+    builder.assign(use.states.at("last"), std::move(next));
+    const Terms result = builder.kept(std::move(done));
+    // It never stands far above its count.
+    builder.assign_when(compared(Greater, use, last), value,
+                        constant_term(Type::Word, call.parameter + 1));
+    return result;
+  }
+
+  Terms edge(UnitBuilder& builder, const ElementCall& call,
+             const std::vector<Terms>& arguments) {
+    Use& use = use_of(call);
+    if (use.block.has_value()) {
+      builder.call(use.block, {{pin_cell(builder, use, "CLK"), arguments[0]}},
+                   {});
+      return builder.result_of(call, pin(builder, use, "Q"));
+    }
+    const Terms input = builder.kept(arguments[0]);
+    const Terms last = state(use, "last");
+    const bool rising = call.operation->name == "RISE";
+    const CellId result_cell = builder.kept_cell(
+        rising ? both(input, negated(last)) : both(last, negated(input)));
+    builder.assign(use.states.at("last"), input);
+    return read_term(result_cell, Type::Bit);
+  }
+
+  std::vector<Use> uses_;  // by InstanceId
+};
+
+}  // namespace
+
+std::unique_ptr<Elements> iec_elements() {
+  return std::make_unique<IecElements>();
+}
+
+}  // namespace rung::backend

@@ -1,0 +1,98 @@
+// Mistakes of a writer, one at a time: the validation must notice each.
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+#include "lowering.h"
+
+namespace rung {
+namespace {
+
+constexpr const char* kSim =
+    "Q0 = (I0 || Q0) && !I1;\n"
+    "Q1 = T(0, 0.2, Q0 && I2);\n"
+    "Q2 = TOF(0, 0.5, I3) && (I4 || !I5);\n"
+    "Q3 = C(0, 3, I2, false, I1);\n"
+    "Q4 = I0 && T(1, 1, I6) || I7 && I1;\n"
+    "Q5 = IW0 > 20 && (IW0 < 50 || Q5);\n";
+constexpr const char* kYun =
+    "y0 = T(0, 0.2, pin2) || TR(0, pin3);\n"
+    "y1 = C(0, 3, pin4);\n"
+    "y2 = CR(0, pin5) || y1 != y0;\n";
+constexpr const char* kEdges =
+    "postfix 1\ndialect sim\nevaluation strict\nscan 1..100 ms\n"
+    "input bit a\noutput bit q\noutput bit r\nelement E(0) edge\n"
+    "element E(1) edge\nrungs\na RISE(0) =q\na FALL(1) =r\n";
+
+/// In what was written of `source`, the first `from` becomes `to`.
+struct Mistake {
+  const char* language;
+  const char* source;
+  const char* from;
+  const char* to;
+};
+std::ostream& operator<<(std::ostream& out, const Mistake& mistake) {
+  return out << mistake.language << ": " << mistake.from << " -> "
+             << mistake.to;
+}
+
+const Mistake kMistakes[] = {
+    // An N, a parenthesis, an operator.
+    {"il-iec", kSim, "ANDN I1", "AND I1"},
+    {"il-iec", kSim, "ORN  I5", "OR   I5"},
+    {"il-iec", kSim, "  AND(\n  LD   I4\n  ORN  I5\n  )\n",
+     "  AND  I4\n  ORN  I5\n"},
+    {"il-iec", kSim, "GT   20", "GE   20"},
+    {"il-iec", kYun, "XOR  y0", "OR   y0"},
+    // Two rungs that change places; one that is lost.
+    {"il-iec", kSim, "  ST   Q0\n\n  LD   Q0\n  AND  I2\n  ST   T_0.IN\n",
+     "  ST   T_0.IN\n\n  LD   Q0\n  AND  I2\n  ST   Q0\n"},
+    {"il-iec", kYun,
+     "  CAL  T_0(IN := T_0_started, PT := T#201ms)\n  LD   pin2",
+     "  LD   pin2"},
+    // A preset, a count, a limit, the first value.
+    {"il-iec", kSim, "PT := T#200ms", "PT := T#201ms"},
+    {"il-iec", kYun, "PT := T#201ms", "PT := T#200ms"},
+    {"il-iec", kSim, "PT := T#500ms", "PT := T#499ms"},
+    {"il-iec", kSim, "EQ   3", "GE   3"},
+    {"il-iec", kYun, "PV := 3", "PV := 4"},
+    {"il-iec", kSim, "Q0 : BOOL", "Q0 : BOOL := TRUE"},
+    // A condition, an edge, the wrong block.
+    {"il-iec", kSim, "JMPCN skip_1", "JMPC  skip_1"},
+    {"il-iec", kSim, "TOF_0 : TOF", "TOF_0 : TON"},
+    {"il-iec", kEdges, "E_0 : R_TRIG", "E_0 : F_TRIG"},
+    {"il-iec", kYun, "R := pin5", "CU := pin5"},
+    {"il-iec", kYun, "R := FALSE, ", ""},
+    {"il-iec", kEdges, "ST   E_1_last", "STN  E_1_last"},
+};
+
+class WriterMutants : public testing::TestWithParam<Mistake> {};
+
+TEST_P(WriterMutants, AreNoticed) {
+  const Mistake& mistake = GetParam();
+  const bool script = mistake.source != kEdges;
+  const auto source =
+      read_program(script ? "script" : "postfix", "", mistake.source);
+  ASSERT_EQ(source->error, "");
+  for (const WrittenLanguage& language : written_languages()) {
+    if (language.name != mistake.language) continue;
+    Lowered lowered = lower(language, *source);
+    ASSERT_TRUE(lowered.written) << lowered.refused;
+    ASSERT_EQ(validate(language, *source, *lowered.written), "");
+    std::string& text = lowered.written->text;
+    const std::size_t at = text.find(mistake.from);
+    ASSERT_NE(at, std::string::npos) << text;
+    text.replace(at, std::string(mistake.from).size(), mistake.to);
+    const std::string found = validate(language, *source, *lowered.written);
+    EXPECT_EQ(found.substr(0, 11), "different: ") << found << "\n" << text;
+    return;
+  }
+  FAIL() << "no such language";
+}
+
+INSTANTIATE_TEST_SUITE_P(Mistakes, WriterMutants, testing::ValuesIn(kMistakes));
+
+}  // namespace
+}  // namespace rung
