@@ -331,6 +331,7 @@ class Builder {
 
   void name_operands(const ElementCall& call, StepNames& names) {
     names.set("p", exprs().word(call.parameter));
+    names.set("longest", exprs().word(ts_.scan.max_ms));
     std::size_t argument = 0;
     for (const ElementParameter& parameter : call.operation->parameters) {
       if (parameter.kind != ParameterKind::Bit &&

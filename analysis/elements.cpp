@@ -5,6 +5,7 @@
 #include "analysis/elements_iec.h"
 #include "analysis/elements_ldmicro.h"
 #include "analysis/elements_melsec.h"
+#include "analysis/elements_plclib.h"
 
 namespace rung {
 namespace {
@@ -247,15 +248,16 @@ constexpr std::array<ElementKind, 6> kScriptKinds = {{
 }};
 
 constexpr auto kKinds = [] {
-  std::array<ElementKind, kScriptKinds.size() + iec::kKinds.size() +
-                              melsec::kKinds.size() +
-                              ldmicro_elements::kKinds.size()>
+  std::array<ElementKind,
+             kScriptKinds.size() + iec::kKinds.size() + melsec::kKinds.size() +
+                 ldmicro_elements::kKinds.size() + plclib::kKinds.size()>
       all = {};
   std::size_t count = 0;
   for (const ElementKind& kind : kScriptKinds) all[count++] = kind;
   for (const ElementKind& kind : iec::kKinds) all[count++] = kind;
   for (const ElementKind& kind : melsec::kKinds) all[count++] = kind;
   for (const ElementKind& kind : ldmicro_elements::kKinds) all[count++] = kind;
+  for (const ElementKind& kind : plclib::kKinds) all[count++] = kind;
   return all;
 }();
 

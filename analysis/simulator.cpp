@@ -270,6 +270,7 @@ void Simulator::set_input(CellId cell, std::int64_t value) {
 void Simulator::scan(std::int64_t dt_ms) {
   assert(dt_ms >= 0);
   impl_->clock.now = saturating_add(impl_->clock.now, dt_ms);
+  impl_->clock.longest_scan = impl_->program.scan.max_ms;
   impl_->clock.next_event = ElementClock::kNever;
   impl_->skipped.clear();
   for (const RungCode& rung : impl_->rungs) impl_->run_rung(rung);

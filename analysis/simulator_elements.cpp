@@ -6,6 +6,7 @@
 #include "analysis/simulator_elements_iec.h"
 #include "analysis/simulator_elements_ldmicro.h"
 #include "analysis/simulator_elements_melsec.h"
+#include "analysis/simulator_elements_plclib.h"
 
 namespace rung {
 namespace {
@@ -176,6 +177,7 @@ std::span<const SimulatedDialect> dialects() {
       simulated_iec(),
       simulated_melsec(),
       simulated_ldmicro(),
+      simulated_plclib(),
   };
   return all;
 }

@@ -55,6 +55,16 @@ constexpr std::array kPresets = {
               .input_image = false,
               .summary = "LDmicro, files of its second format: a timer without "
                          "an adjustment counts the cycles of its delay."},
+    Semantics{.name = "plclib",
+              .elements = "plclib",
+              .input_image = false,
+              .summary = "plcLib sketches as the library of the 2018 thesis "
+                         "executes them, on an Arduino Due with ARTe tasks."},
+    Semantics{.name = "plclib14",
+              .elements = "plclib14",
+              .input_image = false,
+              .summary = "plcLib sketches as the published library, version "
+                         "1.4, executes them on an Arduino Uno."},
 };
 
 }  // namespace

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cstddef>
 #include <deque>
 #include <memory>
@@ -57,7 +58,9 @@ std::vector<Site> sites_of(KindCopy& copy) {
     int number = 0;
     for (ElementUpdate& update : copy.updates[i]) {
       const std::string state(update.state);
-      const bool is_state = state != "q";
+      const bool is_state =
+          std::any_of(copy.states.begin(), copy.states.end(),
+                      [&](const ElementState& it) { return it.name == state; });
       sites.push_back(
           {name + ", update " + std::to_string(++number) + ": " + state,
            &update.value, &source, is_state ? state + "'" : "false"});

@@ -39,7 +39,10 @@ constexpr std::string_view kSlack =
 constexpr std::string_view kAtPreset =
     "where the elapsed time equals the preset both choices are the same";
 
-constexpr std::array<Equivalent, 13> kEquivalent = {{
+constexpr std::string_view kArmed =
+    "a pair of timers that is armed does not look at its clock, and starts it";
+
+constexpr std::array<Equivalent, 15> kEquivalent = {{
     {"ton, TON.ET is `elapsed <= p ? elapsed : p`", kAtPreset},
     {"ton, TON.ET is `elapsed < (p + 1) ? elapsed : p`", kAtPreset},
     {"tof, TOF.ET is `elapsed <= p ? elapsed : p`", kAtPreset},
@@ -54,6 +57,8 @@ constexpr std::array<Equivalent, 13> kEquivalent = {{
     {"timer-off-sim, TOF, update 1: elapsed `!!v && armed ? 0 : elapsed`",
      kClearedBelow},
     {"timer-off-sim, TOF, update 1: elapsed `elapsed'`", kClearedBelow},
+    {"cycle-plclib, elapsed runs while `!armed || !turn`", kArmed},
+    {"cycle-plclib14, elapsed runs while `!armed || !turn`", kArmed},
     {"the lowest value of counts is one smaller than it was", kSlack},
     {"the highest value of counts is one larger than it was", kSlack},
 }};
