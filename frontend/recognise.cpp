@@ -8,6 +8,7 @@
 #include "frontend/il_iec/reader.h"
 #include "frontend/il_mitsubishi/reader.h"
 #include "frontend/ldmicro/reader.h"
+#include "frontend/plclib/reader.h"
 #include "frontend/plcopen/reader.h"
 #include "frontend/postfix/reader.h"
 #include "frontend/script/reader.h"
@@ -112,6 +113,7 @@ constexpr std::array<Names, 4> kDrawingPresets = {"openplc", "beremiz-py2",
                                                   "esbmc", "iec"};
 constexpr std::array<Names, 1> kAsciiPresets = {"ladder-logic"};
 constexpr std::array<Names, 2> kLdmicroPresets = {"ldmicro0.1", "ldmicro0.2"};
+constexpr std::array<Names, 2> kPlclibPresets = {"plclib14", "plclib"};
 
 Ast postfix_reader(const SourceSet& sources, FileId file,
                    const ReadOptions& /*options*/, DiagnosticSink& sink) {
@@ -137,7 +139,7 @@ constexpr std::array kLanguages = {
     Language{"postfix", kScriptPresets, is_postfix, postfix_reader},
     Language{"ldmicro", kLdmicroPresets, is_ldmicro, read_ldmicro},
     Language{"plcopen", kDrawingPresets, is_plcopen, read_plcopen},
-    Language{"plclib", {}, is_plclib},
+    Language{"plclib", kPlclibPresets, is_plclib, read_plclib},
     Language{"il-mitsubishi", kMelsecPresets, is_il_mitsubishi,
              il_mitsubishi_reader},
     Language{"il-iec", kIecPresets, is_il_iec, il_iec_reader},
