@@ -20,7 +20,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::string_view kEndings[] = {".rung"};
+// `.xml` and `.txt` may hold anything: such files are named one by one.
+constexpr std::string_view kEndings[] = {".rung", ".st",  ".il", ".ld",
+                                         ".ino",  ".awl", ".l5x"};
 
 struct Bytes {
   std::string text;
@@ -91,7 +93,9 @@ Input take(const std::string& path, Bytes bytes, SourceSet& sources) {
 }
 
 bool has_known_ending(const fs::path& path) {
-  const std::string ending = path.extension().string();
+  std::string ending = path.extension().string();
+  for (char& c : ending)
+    c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
   return std::find(std::begin(kEndings), std::end(kEndings), ending) !=
          std::end(kEndings);
 }
@@ -119,14 +123,18 @@ void read_directory(const std::string& path, SourceSet& sources,
   for (const std::string& script : scripts) {
     inputs.push_back(read_input(script, sources));
   }
+  std::string endings;
+  for (const std::string_view ending : kEndings) {
+    endings += (endings.empty() ? "" : "`, `") + std::string(ending);
+  }
   if (error) {
     inputs.push_back(failed(
         path, sources, "RP070",
         fmt::format("cannot read the whole directory: {}", error.message())));
   } else if (scripts.empty()) {
-    inputs.push_back(failed(path, sources, "RP072",
-                            "no program in this directory: no file ends in "
-                            "`.rung`"));
+    inputs.push_back(failed(
+        path, sources, "RP072",
+        "no program in this directory: no file ends in `" + endings + "`"));
   }
 }
 

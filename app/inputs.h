@@ -26,8 +26,8 @@ Input read_input(const std::string& path, SourceSet& sources);
 Input read_committed(const std::string& revision, const std::string& path,
                      SourceSet& sources);
 
-/// The same for each path; a directory stands for the scripts (`*.rung`) below
-/// it, in sorted order. One without any is an error: RP072.
+/// The same for each path; a directory stands for the programs below it, by the
+/// endings of their names, in sorted order. One without any is an error: RP072.
 std::vector<Input> read_inputs(const std::vector<std::string>& paths,
                                SourceSet& sources);
 
