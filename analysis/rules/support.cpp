@@ -139,6 +139,8 @@ Twins conflicting_calls(const RuleRun& run, InstanceId instance) {
       twins.first = id;
       continue;
     }
+    // One call of the text, which the reader put in several times.
+    if (call.where == run.program.calls[twins.first].where) continue;
     const bool differ = calls_differ(run, run.program.calls[twins.first], call);
     if (!twins.second.has_value() || differ) {
       twins = {twins.first, id, differ};

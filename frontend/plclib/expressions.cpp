@@ -331,6 +331,11 @@ std::optional<Value> Machine::pure_call() {
   const auto object = objects_.find(name);
   if (cursor_.at(".", 1) && object != objects_.end()) {
     const bool preset = cursor_.text(2) == "presetValue";
+    if (called_) {
+      fail("RP055", where,
+           "two calls in one expression: C++ does not say which comes first");
+      return std::nullopt;
+    }
     for (int i = 0; i < 3; ++i) cursor_.take();
     if (object->second.kind != ObjectKind::Counter) {
       fail("RP058", where, quoted_excerpt(name) + " has no such value");
@@ -342,7 +347,7 @@ std::optional<Value> Machine::pure_call() {
                   : count_of(object->second, where);
   }
   const bool digital = name == "digitalRead";
-  if (in_setup_ || (!digital && name != "analogRead")) {
+  if (in_setup_ || called_ || (!digital && name != "analogRead")) {
     fail("RP055", where,
          "the call of " + cursor_.shown() + " is not supported here");
     return std::nullopt;

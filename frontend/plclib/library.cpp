@@ -199,9 +199,7 @@ void Machine::write_target(const Argument& argument, Value bit,
 // --- bits --------------------------------------------------------------------
 
 void Machine::call_in(const Call& call) {
-  if (auto value = call_operand(call.arguments[0], false)) {
-    acc_ = std::move(*value);
-  }
+  load(call_operand(call.arguments[0], false), call.where);
 }
 
 void Machine::call_in_not(const Call& call) {
@@ -210,9 +208,21 @@ void Machine::call_in_not(const Call& call) {
 }
 
 void Machine::call_in_analog(const Call& call) {
-  if (auto value = call_operand(call.arguments[0], true)) {
-    acc_ = std::move(*value);
+  load(call_operand(call.arguments[0], true), call.where);
+}
+
+/// The accumulator is an `int`.
+void Machine::load(std::optional<Value> value, SourceRange where) {
+  if (value &&
+      (value->overflows ||
+       !range_of(CType::Int, reading_.int_bits()).contains(value->range))) {
+    fail("RP055", where,
+         "`scanValue` may leave the range of `int` here: that is not "
+         "supported");
+    value.reset();
   }
+  acc_ = value ? std::move(*value) : arithmetic_.number(0, CType::Int, where);
+  shorten();
 }
 
 void Machine::logic(const Call& call, std::string_view op) {
@@ -220,12 +230,8 @@ void Machine::logic(const Call& call, std::string_view op) {
   if (!right) return;
   auto value =
       arithmetic_.binary(op, std::move(acc_), std::move(*right), call.where);
-  if (value) {
-    acc_ = std::move(*value);
-  } else {
-    fail("RP055", call.where, arithmetic_.why());
-    acc_ = arithmetic_.number(0, CType::Int, call.where);
-  }
+  if (!value) fail("RP055", call.where, arithmetic_.why());
+  load(std::move(value), call.where);
 }
 
 /// An accumulator of 1 stays, any other becomes the negation of the operand:

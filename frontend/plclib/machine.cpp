@@ -9,6 +9,7 @@ constexpr std::string_view kScanValue = "scanValue";
 constexpr std::int64_t kLastPin = 69;  // of a Mega or a Due
 // Above this, looking for a name in the accumulator costs more than a cell.
 constexpr std::size_t kLongAccumulator = 64;
+constexpr std::size_t kLongestCall = 100;  // tokens, of a timer
 constexpr int kWideningPass = 3;
 constexpr int kGiveUpPass = 6;
 
@@ -77,7 +78,24 @@ void Machine::run() {
   acc_ = Arithmetic::cell(kScanValue, !range.is_bit(), range, CType::Int,
                           loop->where);
   execute(*loop);
+  check_calls();
   finish();
+}
+
+/// What is not executed is not read.
+void Machine::check_calls() {
+  std::vector<const Function*> unread;
+  for (const auto& [name, function] : sketch_.functions) {
+    if (!executed_.contains(&function)) unread.push_back(&function);
+  }
+  std::sort(
+      unread.begin(), unread.end(),
+      [](const Function* a, const Function* b) { return a->begin < b->begin; });
+  for (const Function* const function : unread) {
+    fail("RP055", function->where,
+         quoted_excerpt(function->name) +
+             " is never called here: what it does is not read");
+  }
 }
 
 void Machine::fail(std::string_view code, SourceRange where,
@@ -108,8 +126,8 @@ void Machine::mark_timers() {
     for (const Row& row : kRows) {
       if (!is(at, row.name) || !is(at + 1, "(")) continue;
       std::size_t argument = 0;
-      for (std::size_t i = at + 2; i < tokens.size() && argument <= row.second;
-           ++i) {
+      const std::size_t end = std::min(tokens.size(), at + kLongestCall);
+      for (std::size_t i = at + 2; i < end && argument <= row.second; ++i) {
         if (is(i, ";") || is(i, ")")) break;
         const bool begins = is(i - 1, "(") || is(i - 1, ",");
         if (begins && (argument == row.first || argument == row.second)) {
@@ -224,10 +242,11 @@ void Machine::finish() {
   } else {
     flush();
     const Range range = estimates_.ranges[kScanValue];
-    writer_.declare(
+    const std::uint32_t place = writer_.declare(
         kScanValue,
         range.is_bit() ? kBitCell : CellShape{true, range.low, range.high},
         AstDeclaration::Kind::Memory, sketch_.find("loop")->where);
+    ast_.declarations[place].made = true;
   }
   declare_outputs();
 }
@@ -384,7 +403,11 @@ void Machine::write_memory(std::string_view name, Value bit,
 }
 
 void Machine::assign(std::string_view name, Value value, SourceRange where) {
-  Variable& variable = variables_.at(name);
+  const auto found = variables_.find(name);
+  if (found == variables_.end()) {
+    return fail("RP058", where, "this is no variable that can be written");
+  }
+  Variable& variable = found->second;
   if (variable.timer || variable.constant || variable.pin) {
     return fail("RP058", where,
                 quoted_excerpt(name) +
@@ -419,6 +442,10 @@ void Machine::protect(std::string_view name) {
     acc_ = Arithmetic::cell(kept, acc_.word, acc_.range, acc_.type, acc_.where);
     return;
   }
+  shorten();
+}
+
+void Machine::shorten() {
   if (acc_.nodes.size() > kLongAccumulator) keep_accumulator();
 }
 

@@ -132,6 +132,7 @@ class Machine {
   void mark_timers();
   void declare_globals();
   void declare_global(const Global& global);
+  void check_calls();
   void finish();
   void declare_outputs();
   void note(std::string_view name, Range range, CType type);
@@ -148,8 +149,8 @@ class Machine {
   void write_memory(std::string_view name, Value bit, SourceRange where);
   void protect(std::string_view name);
   void flush();
+  void shorten();
   void keep_accumulator();
-  Value& accumulator() { return acc_; }
   bool accumulator_is_bit(const Call& call);
   Value kept_call(std::string_view operation, std::string_view prefix,
                   const Expression& operands, std::uint32_t index,
@@ -162,7 +163,7 @@ class Machine {
   void simple_statement();
   bool needs_point() const;
   void run_point();
-  void finish_frame();
+  bool finish_frame();
   void finish_statement();
   void if_statement();
   void for_statement();
@@ -194,6 +195,7 @@ class Machine {
   std::optional<Value> call(bool wanted);
   std::optional<Value> call_operand(const Argument& argument, bool analog);
   bool is_pin(const Argument& argument) const;
+  void load(std::optional<Value> value, SourceRange where);
   void logic(const Call& call, std::string_view op);
   void write_target(const Argument& argument, Value bit, SourceRange where);
   std::optional<Value> argument_value(const Argument& argument);
@@ -292,6 +294,7 @@ class Machine {
   std::vector<std::uint32_t> task_elements_;
   std::vector<std::uint32_t> task_runs_;
 
+  std::unordered_set<const Function*> executed_;
   std::vector<Frame> frames_;
   Value acc_;
   std::size_t level_ = 0;  // the first task that may preempt

@@ -37,6 +37,7 @@ class Cursor {
   const Token& take() {
     const Token& token = peek();
     if (token.kind != TokenKind::End) ++at_;
+    ++taken_;
     return token;
   }
   bool accept(std::string_view symbol) {
@@ -59,12 +60,15 @@ class Cursor {
   /// To behind the next `;` or block, but not out of the block around it.
   void skip_statement();
 
+  /// Tokens taken so far, also those that were taken before.
+  std::size_t taken() const { return taken_; }
   std::size_t position() const { return at_; }
   void go_to(std::size_t position) { at_ = position; }
 
  private:
   const TokenList* list_;
   std::size_t at_ = 0;
+  std::size_t taken_ = 0;
 };
 
 /// Reads a type of arithmetic; no value and no token taken when there is none.

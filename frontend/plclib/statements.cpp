@@ -9,6 +9,7 @@ constexpr std::size_t kDeepest = 200;
 constexpr std::size_t kMostTurns = 256;
 constexpr std::size_t kMostSteps = 20'000;
 constexpr std::size_t kMostNodes = 2'000'000;
+constexpr std::size_t kMostTokens = 4'000'000;
 
 }  // namespace
 
@@ -24,12 +25,13 @@ bool Machine::expect(std::string_view symbol) {
 void Machine::enter(const Function& function, Frame::Kind kind) {
   for (const Frame& frame : frames_) {
     if (frame.function != &function) continue;
-    fail(
-        "RP055", cursor_.here(),
-        quoted_excerpt(function.name) + " calls itself: that is not supported");
+    fail("RP055", cursor_.here(),
+         quoted_excerpt(function.name) +
+             " is called while it is executed: that is not supported");
     stopped_ = true;
     return;
   }
+  executed_.insert(&function);
   frames_.push_back({.kind = kind,
                      .outer = writer_.guard(),
                      .position = cursor_.position(),
@@ -55,7 +57,8 @@ void Machine::step() {
     const bool last = frames_.size() == 1 && needs_point();
     if (last)
       return frames_.push_back({.kind = Frame::Kind::Point, .task = level_});
-    return finish_frame();
+    if (finish_frame()) finish_statement();
+    return;
   }
   if (cursor_.at_end()) {
     stopped_ = true;  // read_sketch() said that a brace is missing
@@ -66,7 +69,11 @@ void Machine::step() {
 
 bool Machine::too_large() {
   ++steps_;
-  const bool large = steps_ > kMostSteps || ast_.nodes.size() > kMostNodes;
+  // Every statement that goes on after an error gives another one.
+  stopped_ = stopped_ || errors_.is_full();
+  if (stopped_) return true;
+  const bool large = steps_ > kMostSteps || ast_.nodes.size() > kMostNodes ||
+                     cursor_.taken() > kMostTokens;
   const bool deep = frames_.size() > kDeepest;
   if (!large && !deep) return false;
   fail("RP059", cursor_.here(),
@@ -98,7 +105,8 @@ void Machine::run_point() {
   const SourceRange where = task.function->where;
   const std::string choice =
       std::string(name) + "." + std::to_string(++task_runs_[number]);
-  const Value chosen = input_cell(writer_.keep_text(choice), kBitCell, where);
+  const Value chosen =
+      input_cell(writer_.keep_text(choice), kBitCell, cursor_.here());
   ast_.declarations.back().made = true;
   const Value runs = kept_call("runs", "runs", chosen.nodes,
                                task_elements_[number], task.period_ms, where);
@@ -114,13 +122,14 @@ void Machine::leave(const Frame& frame) {
 }
 
 /// At the `}` of a frame, or behind the statement that is one without braces.
-void Machine::finish_frame() {
+/// True: a statement of the frame around it has ended.
+bool Machine::finish_frame() {
   const Frame frame = frames_.back();
   frames_.pop_back();
   if (frame.braced) cursor_.take();
   switch (frame.kind) {
     case Frame::Kind::Block:
-      return finish_statement();
+      return true;
     case Frame::Kind::Then:
       leave(frame);
       if (cursor_.at_keyword("else")) {
@@ -135,12 +144,12 @@ void Machine::finish_frame() {
                            .braced = braced,
                            .outer = frame.outer,
                            .where = frame.where});
-        return;
+        return false;
       }
-      return finish_statement();
+      return true;
     case Frame::Kind::Else:
       leave(frame);
-      return finish_statement();
+      return true;
     case Frame::Kind::Loop: {
       const std::size_t next = frame.turn + 1;
       if (next < frame.values.size()) {
@@ -150,28 +159,32 @@ void Machine::finish_frame() {
         counter =
             arithmetic_.number(frame.values[next], counter.type, frame.where);
         cursor_.go_to(frame.position);
-        return;
+        return false;
       }
       counters_.erase(frame.counter);
-      return finish_statement();
+      return true;
     }
     case Frame::Kind::Function:
       cursor_.go_to(frame.position);
       // The call of setup() or loop() is no statement.
-      return frames_.empty() ? void() : finish_statement();
+      return !frames_.empty();
     case Frame::Kind::Task:
       leave(frame);
       level_ = frame.task;
       cursor_.go_to(frame.position);
-      return;
+      return false;
     case Frame::Kind::Point:
-      return;
+      return false;
   }
+  return false;
 }
 
 void Machine::finish_statement() {
-  point_done_ = false;
-  if (!frames_.empty() && !frames_.back().braced) finish_frame();
+  bool ended = true;
+  while (ended) {
+    point_done_ = false;
+    ended = !frames_.empty() && !frames_.back().braced && finish_frame();
+  }
 }
 
 // --- statements --------------------------------------------------------------
@@ -254,6 +267,7 @@ void Machine::if_statement() {
   const std::string_view guard = inner_guard(std::move(*condition), where);
   const bool braced = cursor_.accept("{");
   writer_.set_guard(guard);
+  point_done_ = false;  // a task may run between the condition and what follows
   frames_.push_back({.kind = Frame::Kind::Then,
                      .braced = braced,
                      .outer = outer,
@@ -305,6 +319,10 @@ bool Machine::for_header(Frame& frame) {
              std::to_string(kMostTurns) + " are not supported");
     return false;
   }
+  if (turns <= 0) {
+    fail("RP055", frame.where, "a `for` that makes no turn is not supported");
+    return false;
+  }
   for (std::int64_t i = 0; i < turns; ++i) {
     frame.values.push_back(up ? *first + i : *first - i);
   }
@@ -319,11 +337,7 @@ void Machine::for_statement() {
     cursor_.skip_statement();
     return finish_statement();
   }
-  if (frame.values.empty()) {
-    counters_.erase(frame.counter);
-    cursor_.skip_statement();
-    return finish_statement();
-  }
+
   frame.braced = cursor_.accept("{");
   frame.position = cursor_.position();
   frames_.push_back(std::move(frame));

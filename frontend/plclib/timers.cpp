@@ -63,7 +63,8 @@ void Machine::timer(const Call& call, std::string_view operation) {
   const auto time = period(call.arguments[1]);
   if (timer == nullptr || !time) return;
   // Off-delay and pulse pass on what is neither 0 nor 1.
-  const bool passes = operation == "timerOff" || operation == "timerPulse";
+  const bool passes = operation == "timerOff" || operation == "timerPulse" ||
+                      (reading_.thesis && operation == "timerOn");
   if (passes && !accumulator_is_bit(call)) return;
   const Value input = arithmetic_.truth(acc_);
   acc_ = kept_call(operation, call.arguments[0].name, input.nodes, timer->index,

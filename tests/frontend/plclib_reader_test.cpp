@@ -254,6 +254,28 @@ TEST(PlclibReader, RefusesWhatItCannotRead) {
       {"in(X0); @", "RP056"},
       {"int Y0 = 3; out(Y0);", "RP058"},
       {"in(0.5);", "RP056"},
+      {"for (int i = 3; i < 3; i++) in(X0);", "RP055"},
+      {"if (in(X0) == digitalRead(X1)) out(Y0);", "RP055"},
+      {"set(1U + 1U);", "RP055"},
+      {"out(2U);", "RP058"},
+      {"in(100000UL);", "RP055"},
+      {"#include <plcLib.h>\nvoid f() {}\nvoid setup() {}\nvoid loop() {}",
+       "RP055"},
+      {"#include <plcLib.h>\nvoid f() { int x = 1; in(X0); }\n"
+       "void loop1(9) { f(); }\nvoid setup() {}\nvoid loop() { f(); }",
+       "RP055"},
+      {"#include <plcLib.h>\nvoid loop1(20) {}\nvoid setup() {}\n"
+       "void loop() { delay(20); }",
+       "RP055"},
+      {"#include <plcLib.h>\nStack s;\nvoid setup() {}\nvoid loop() "
+       "{ s.push(); }",
+       "RP055"},
+      {"#include <plcLib.h>\nStack s;\nvoid setup() {}\nvoid loop() "
+       "{ s.pop(); }",
+       "RP058"},
+      {"#include <plcLib.h>\nunsigned long T;\nvoid setup() {}\nvoid loop() "
+       "{ timerOn(T, 5); delay(1); timerOn(T, 5); }",
+       "RP055"},
       {"in(X0 ? 1);", "RP056"},
       {"in((X0);", "RP056"},
       {"#include <plcLib.h>\nvoid loop() {}", "RP056"},
