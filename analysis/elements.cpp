@@ -6,6 +6,7 @@
 #include "analysis/elements_ldmicro.h"
 #include "analysis/elements_melsec.h"
 #include "analysis/elements_plclib.h"
+#include "analysis/elements_s7.h"
 
 namespace rung {
 namespace {
@@ -248,9 +249,10 @@ constexpr std::array<ElementKind, 6> kScriptKinds = {{
 }};
 
 constexpr auto kKinds = [] {
-  std::array<ElementKind,
-             kScriptKinds.size() + iec::kKinds.size() + melsec::kKinds.size() +
-                 ldmicro_elements::kKinds.size() + plclib::kKinds.size()>
+  std::array<ElementKind, kScriptKinds.size() + iec::kKinds.size() +
+                              melsec::kKinds.size() +
+                              ldmicro_elements::kKinds.size() +
+                              plclib::kKinds.size() + s7::kKinds.size()>
       all = {};
   std::size_t count = 0;
   for (const ElementKind& kind : kScriptKinds) all[count++] = kind;
@@ -258,6 +260,7 @@ constexpr auto kKinds = [] {
   for (const ElementKind& kind : melsec::kKinds) all[count++] = kind;
   for (const ElementKind& kind : ldmicro_elements::kKinds) all[count++] = kind;
   for (const ElementKind& kind : plclib::kKinds) all[count++] = kind;
+  for (const ElementKind& kind : s7::kKinds) all[count++] = kind;
   return all;
 }();
 

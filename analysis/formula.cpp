@@ -202,7 +202,7 @@ class Lexer {
       ++at_;
       return {TokenKind::CallOpen, {.op = FormulaOp::Call, .text = word}};
     }
-    while (peek() == '.' && is_name_start(peek(1))) {
+    while (peek() == '.' && is_name_part(peek(1))) {
       ++at_;
       while (is_name_part(peek())) ++at_;
     }

@@ -71,6 +71,13 @@ class LatchFinder {
   std::vector<Dependence> nodes_;
 };
 
+/// `stop.1`: a bit of the reader's own. `timer.Q` is made, too, but has a name.
+bool is_unnamed(const Cell& cell) {
+  return cell.made &&
+         cell.name.find_first_not_of("0123456789", cell.name.rfind('.') + 1) ==
+             std::string::npos;
+}
+
 class Builtins {
  public:
   Builtins(const Program& program, const SourceSet& sources)
@@ -105,6 +112,7 @@ class Builtins {
     for (const Rung& rung : program_.rungs) {
       const Cell& cell = program_.cells[rung.target];
       if (cell.type != Type::Bit || latched[rung.target.index()]) continue;
+      if (is_unnamed(cell)) continue;
       if (!finder.latches(rung)) continue;
       latched[rung.target.index()] = true;
       const std::string what = "`" + cell.name + "` latches itself" +

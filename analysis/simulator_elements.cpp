@@ -7,6 +7,7 @@
 #include "analysis/simulator_elements_ldmicro.h"
 #include "analysis/simulator_elements_melsec.h"
 #include "analysis/simulator_elements_plclib.h"
+#include "analysis/simulator_elements_s7.h"
 
 namespace rung {
 namespace {
@@ -178,6 +179,7 @@ std::span<const SimulatedDialect> dialects() {
       simulated_melsec(),
       simulated_ldmicro(),
       simulated_plclib(),
+      simulated_s7(),
   };
   return all;
 }

@@ -12,6 +12,7 @@
 #include "frontend/plcopen/reader.h"
 #include "frontend/postfix/reader.h"
 #include "frontend/script/reader.h"
+#include "frontend/stl/reader.h"
 
 namespace rung {
 namespace {
@@ -109,6 +110,7 @@ using Names = std::string_view;
 constexpr std::array<Names, 2> kScriptPresets = {"yun", "sim"};
 constexpr std::array<Names, 1> kIecPresets = {"iec"};
 constexpr std::array<Names, 1> kMelsecPresets = {"melsec"};
+constexpr std::array<Names, 1> kS7Presets = {"s7"};
 constexpr std::array<Names, 4> kDrawingPresets = {"openplc", "beremiz-py2",
                                                   "esbmc", "iec"};
 constexpr std::array<Names, 1> kAsciiPresets = {"ladder-logic"};
@@ -130,6 +132,11 @@ Ast il_mitsubishi_reader(const SourceSet& sources, FileId file,
   return read_il_mitsubishi(sources, file, sink);
 }
 
+Ast stl_reader(const SourceSet& sources, FileId file,
+               const ReadOptions& /*options*/, DiagnosticSink& sink) {
+  return read_stl(sources, file, sink);
+}
+
 Ast script_reader(const SourceSet& sources, FileId file,
                   const ReadOptions& options, DiagnosticSink& sink) {
   return read_script(sources, file, options.dialect, sink);
@@ -142,6 +149,7 @@ constexpr std::array kLanguages = {
     Language{"plclib", kPlclibPresets, is_plclib, read_plclib},
     Language{"il-mitsubishi", kMelsecPresets, is_il_mitsubishi,
              il_mitsubishi_reader},
+    Language{"stl", kS7Presets, is_stl, stl_reader},
     Language{"il-iec", kIecPresets, is_il_iec, il_iec_reader},
     Language{"st", {}, is_structured_text},
     Language{"ascii", kAsciiPresets, is_ascii_ladder, read_ascii},

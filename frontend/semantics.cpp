@@ -24,6 +24,9 @@ constexpr std::array kPresets = {
               .elements = "melsec",
               .summary = "Instruction lists as controllers of the FX family "
                          "execute them."},
+    Semantics{.name = "s7",
+              .elements = "s7",
+              .summary = "Statement lists as S7-300 and S7-400 execute them."},
     Semantics{.name = "openplc",
               .elements = "iec",
               .summary = "Drawings as the OpenPLC Editor and Beremiz on Python "

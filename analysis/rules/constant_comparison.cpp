@@ -30,7 +30,9 @@ pin of the yun dialect, 16 bits elsewhere.
 
 void check(RuleRun& run) {
   for (std::uint32_t i = 0; i < run.program.nodes.size(); ++i) {
-    if (!is_comparison(run.program.nodes[i].op)) continue;
+    if (!is_comparison(run.program.nodes[i].op) || is_generated(run, i)) {
+      continue;
+    }
     const ExprId value = run.ts.node_value[i];
     run.ask(RuleRun::Want::Proof, {value, run.ts.exprs.negation(value)},
             [i](RuleRun& now, std::span<const RuleRun::Evidence> answers) {

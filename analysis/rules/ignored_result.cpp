@@ -41,8 +41,10 @@ void check(RuleRun& run) {
     const Node& root = run.program.nodes[rung.root()];
     if (root.op != NodeOp::Call) continue;
     const ElementCall& call = run.program.calls[root.call];
-    if (call.operation->resets || run.index.observed[call.instance.index()])
+    if (call.operation->resets || run.index.observed[call.instance.index()] ||
+        has_status(*run.program.instances[call.instance].kind)) {
       continue;
+    }
     run.report(root.where,
                "nothing uses the result of " +
                    quoted(run.program.instances[call.instance].name),

@@ -131,10 +131,11 @@ bool calls_differ(const RuleRun& run, const ElementCall& a,
 
 Twins conflicting_calls(const RuleRun& run, InstanceId instance) {
   Twins twins;
+  if (has_status(*run.program.instances[instance].kind)) return twins;
   for (const std::uint32_t index : run.index.calls[instance.index()]) {
     const CallId id(index);
     const ElementCall& call = run.program.calls[id];
-    if (call.operation->resets) continue;
+    if (call.operation->resets || call.operation->reads) continue;
     if (!twins.first.has_value()) {
       twins.first = id;
       continue;
@@ -162,6 +163,19 @@ std::string_view family_name(const Instance& instance) {
       return "latch";
   }
   return "";
+}
+
+bool has_status(const ElementKind& kind) {
+  return std::any_of(kind.operations.begin(), kind.operations.end(),
+                     [](const ElementOperation& operation) {
+                       return operation.reads && operation.name.ends_with(".Q");
+                     });
+}
+
+bool is_generated(const RuleRun& run, std::uint32_t index) {
+  const Rung& rung = run.program.rungs[RungId(run.index.rung_of[index])];
+  return run.program.cells[rung.target].made &&
+         run.program.nodes[index].where == rung.where;
 }
 
 std::string_view reset_name(const ElementKind& kind) {

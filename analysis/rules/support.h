@@ -85,4 +85,12 @@ std::string_view family_name(const Instance& instance);
 /// is none.
 std::string_view reset_name(const ElementKind& kind);
 
+/// Its instructions have no result, and are many for one device: what it gives
+/// is looked at by an operation of its own, `.Q`.
+bool has_status(const ElementKind& kind);
+
+/// The node at `index` stands for no text of its own: the reader wrote its rung
+/// to keep what an instruction does in a cell.
+bool is_generated(const RuleRun& run, std::uint32_t index);
+
 }  // namespace rung
