@@ -28,6 +28,7 @@ struct Reading {
 struct Estimates {
   std::unordered_map<std::string_view, Range> ranges;
   std::unordered_set<std::string_view> written_pins;
+  std::unordered_set<std::string> shifts;  // edge memories that calls use
   int pass = 0;
   bool grown = false;
 };
@@ -264,6 +265,7 @@ class Machine {
   void shift_left(Object& o, const Call& c) { shift(o, c, true); }
   void shift_right(Object& o, const Call& c) { shift(o, c, false); }
   void shift_bit(Object& object, const Call& call);
+  bool is_used(std::string_view cell) const;
   void shift_reset(Object& object, const Call& call);
   void stack_push(Object& object, const Call& call);
   void stack_join(Object& object, const Call& call, std::string_view op);

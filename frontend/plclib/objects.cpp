@@ -96,6 +96,10 @@ void Machine::declare_object(const Global& global) {
   const auto add = [&](std::string_view suffix, bool initial) {
     object.cells.push_back(writer_.keep_text(std::string(global.name) + "." +
                                              std::string(suffix)));
+    if (shift && (suffix == "left" || suffix == "right") &&
+        !is_used(object.cells.back())) {
+      return;
+    }
     const std::uint32_t place =
         writer_.declare(object.cells.back(), kBitCell,
                         AstDeclaration::Kind::Memory, global.where);
@@ -117,7 +121,7 @@ void Machine::declare_object(const Global& global) {
     ast_.declarations[place].made = true;
   } else if (shift) {
     for (std::size_t bit = 0; bit < kWidth; ++bit) {
-      add(std::to_string(bit), ((first >> bit) & 1) != 0);
+      add("b" + std::to_string(bit), ((first >> bit) & 1) != 0);
     }
     for (const std::string_view cell : kShiftCells) add(cell, false);
   } else if (object.kind == ObjectKind::Pulse) {
@@ -264,12 +268,21 @@ void Machine::shift_input(Object& object, const Call& call) {
   write_memory(object.cells[kInputBit], arithmetic_.truth(acc_), call.where);
 }
 
+/// The cells of a Shift are its bits and the edge memories that calls use.
+bool Machine::is_used(std::string_view cell) const {
+  return !(cell.ends_with(".left") || cell.ends_with(".right")) ||
+         estimates_.shifts.contains(std::string(cell));
+}
+
 /// A right shift puts the input bit into bit 15, a left one into bit 0.
 void Machine::shift(Object& object, const Call& call, bool left) {
   const SourceRange where = call.where;
   keep_accumulator();
   const Value clock = arithmetic_.kept(arithmetic_.truth(acc_), "clock");
   const std::size_t edge_cell = left ? kLeft : kRight;
+  if (estimates_.shifts.insert(std::string(object.cells[edge_cell])).second) {
+    estimates_.grown = true;
+  }
   const Value shifts = arithmetic_.kept(
       Arithmetic::conjunction(
           clock, Arithmetic::negation(bit_of(object, edge_cell, where))),
@@ -304,7 +317,7 @@ void Machine::shift_reset(Object& object, const Call& call) {
   const Value stays =
       arithmetic_.kept(Arithmetic::negation(arithmetic_.is_one(acc_)), "stays");
   for (std::size_t cell = 0; cell < object.cells.size(); ++cell) {
-    if (cell == kInputBit) continue;
+    if (cell == kInputBit || !is_used(object.cells[cell])) continue;
     write_memory(
         object.cells[cell],
         Arithmetic::conjunction(stays, bit_of(object, cell, call.where)),

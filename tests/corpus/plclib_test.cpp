@@ -91,13 +91,16 @@ TEST(PlclibCorpus, IsReadWholeOrRefused) {
   for (const auto& entry : fs::recursive_directory_iterator(kRoot)) {
     if (!entry.is_regular_file()) continue;
     const std::string name = fs::relative(entry.path(), kRoot).generic_string();
-    const Sketch sketch(entry.path());
+    Sketch sketch(entry.path());
     const auto expected = kRefused.find(name);
     EXPECT_EQ(sketch.first_error(),
               expected == kRefused.end() ? "" : expected->second)
         << name;
     EXPECT_EQ(sketch.recognised, name != "CustomIO/CustomIO_IO.ino") << name;
     ++(sketch.first_error().empty() ? read : refused);
+    if (sketch.first_error().empty()) {
+      EXPECT_EQ(sketch.verdict("reach true"), "proved") << name;
+    }
   }
   EXPECT_EQ(read, 35);
   EXPECT_EQ(refused, 9);
