@@ -53,9 +53,10 @@ std::optional<Value> Arithmetic::bitwise(std::string_view op, Value a, Value b,
     Value left = truth(std::move(a));
     Value right = truth(std::move(b));
     if (op == "&~") right = negation(std::move(right));
-    Value result = op == "|" ? disjunction(std::move(left), std::move(right))
-                             : conjunction(left, right);
-    if (op == "^") result = join(AstOp::Xor, left, right, {0, 1}, type, where);
+    Value result = op == "|"   ? disjunction(std::move(left), right)
+                   : op == "^" ? join(AstOp::Xor, std::move(left), right,
+                                      {0, 1}, type, where)
+                               : conjunction(std::move(left), right);
     result.type = type;
     return result;
   }

@@ -138,6 +138,15 @@ class Builder {
     return value;
   }
 
+  std::optional<Value> chosen(Value otherwise, SourceRange where) {
+    std::optional<Value> no = arithmetic_.settled(std::move(otherwise));
+    std::optional<Value> yes = arithmetic_.settled(pop());
+    std::optional<Value> condition = arithmetic_.settled(pop());
+    if (!no || !yes || !condition) return std::nullopt;
+    return arithmetic_.choose(std::move(*condition), std::move(*yes),
+                              std::move(*no), where);
+  }
+
   void reduce() {
     const Pending top = pending_.back();
     pending_.pop_back();
@@ -151,9 +160,7 @@ class Builder {
     if (top.unary) {
       result = arithmetic_.unary(top.text, std::move(right), top.where);
     } else if (top.text == ":") {
-      Value then = pop();
-      result = arithmetic_.choose(pop(), std::move(then), std::move(right),
-                                  top.where);
+      result = chosen(std::move(right), top.where);
     } else {
       result = arithmetic_.binary(top.text, pop(), std::move(right), top.where);
     }

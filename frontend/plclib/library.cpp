@@ -344,8 +344,10 @@ void Machine::compare(const Call& call, std::string_view op) {
 }
 
 void Machine::call_digital_write(const Call& call) {
-  const auto value = argument_value(call.arguments[1]);
+  auto value = argument_value(call.arguments[1]);
   if (!value) return;
+  value = arithmetic_.settled(std::move(*value));
+  if (!value) return fail("RP055", call.where, arithmetic_.why());
   Pin* const target = pin_of(call.arguments[0]);
   if (target == nullptr) return;
   if (!in_setup_) {

@@ -248,8 +248,9 @@ class Machine {
   // objects.cpp
   static const Method* find_method(ObjectKind kind, std::string_view name);
   void declare_object(const Global& global);
+  void declare_cells(Object& object, std::string_view name, bool full);
   std::optional<Value> method_call(bool wanted);
-  Value fresh(Value bit, std::string_view prefix);
+  Value fresh(const Value& bit, std::string_view prefix);
   Value bit_of(const Object& object, std::size_t cell, SourceRange where);
   Value count_of(const Object& object, SourceRange where);
   void step_counter(Object& object, const Call& call, bool up);

@@ -63,9 +63,6 @@ void Machine::declare_object(const Global& global) {
                     " is an object of the other library of this name: the "
                     "semantics are those of `plclib`");
   }
-  Object object;
-  object.kind = *global.object;
-  object.where = global.where;
   std::vector<std::int64_t> given;
   if (global.initialiser != 0) {
     cursor_.go_to(global.initialiser);
@@ -76,6 +73,9 @@ void Machine::declare_object(const Global& global) {
     } while (cursor_.accept(","));
     if (!expect(")")) return;
   }
+  Object object;
+  object.kind = *global.object;
+  object.where = global.where;
   const bool counter = object.kind == ObjectKind::Counter;
   const bool shift = object.kind == ObjectKind::Shift;
   const std::size_t most = counter ? 2 : shift ? 1 : 0;
@@ -85,49 +85,44 @@ void Machine::declare_object(const Global& global) {
                     " has a wrong number of "
                     "arguments");
   }
-  const std::int64_t first = given.empty() ? 0 : given[0];
-  if (first < 0 || first > 65'535) {
+  object.preset = given.empty() ? 0 : given[0];
+  if (object.preset < 0 || object.preset > 65'535) {
     return fail("RP058", global.where,
-                "this number does not fit `unsigned "
-                "int`");
+                "this number does not fit `unsigned int`");
   }
-  object.preset = first;
-  const bool full = counter && given.size() == 2 && given[1] != 0;
-  const auto add = [&](std::string_view suffix, bool initial) {
-    object.cells.push_back(writer_.keep_text(std::string(global.name) + "." +
-                                             std::string(suffix)));
-    if (shift && (suffix == "left" || suffix == "right") &&
-        !is_used(object.cells.back())) {
+  declare_cells(object, global.name, given.size() == 2 && given[1] != 0);
+  objects_.emplace(global.name, std::move(object));
+}
+
+/// `full`: a counter that begins at its upper end.
+void Machine::declare_cells(Object& object, std::string_view name, bool full) {
+  const auto add = [&](std::string_view suffix, CellShape shape,
+                       std::int64_t initial) {
+    object.cells.push_back(
+        writer_.keep_text(std::string(name) + "." + std::string(suffix)));
+    if (object.kind == ObjectKind::Shift && !is_used(object.cells.back())) {
       return;
     }
-    const std::uint32_t place =
-        writer_.declare(object.cells.back(), kBitCell,
-                        AstDeclaration::Kind::Memory, global.where);
-    ast_.declarations[place].initial = initial ? 1 : 0;
+    const std::uint32_t place = writer_.declare(
+        object.cells.back(), shape, AstDeclaration::Kind::Memory, object.where);
+    ast_.declarations[place].initial = initial;
     ast_.declarations[place].initialised = true;
     ast_.declarations[place].made = true;
   };
-  if (counter) {
+  if (object.kind == ObjectKind::Counter) {
     for (const std::string_view cell : kCounterCells) {
-      add(cell, cell == (full ? "upperQ" : "lowerQ"));
+      add(cell, kBitCell, cell == (full ? "upperQ" : "lowerQ") ? 1 : 0);
     }
-    object.cells.push_back(
-        writer_.keep_text(std::string(global.name) + ".count"));
-    const std::uint32_t place = writer_.declare(
-        object.cells.back(), {true, 0, std::max<std::int64_t>(first, 1)},
-        AstDeclaration::Kind::Memory, global.where);
-    ast_.declarations[place].initial = full ? first : 0;
-    ast_.declarations[place].initialised = true;
-    ast_.declarations[place].made = true;
-  } else if (shift) {
+    add("count", {true, 0, std::max<std::int64_t>(object.preset, 1)},
+        full ? object.preset : 0);
+  } else if (object.kind == ObjectKind::Shift) {
     for (std::size_t bit = 0; bit < kWidth; ++bit) {
-      add("b" + std::to_string(bit), ((first >> bit) & 1) != 0);
+      add("b" + std::to_string(bit), kBitCell, (object.preset >> bit) & 1);
     }
-    for (const std::string_view cell : kShiftCells) add(cell, false);
+    for (const std::string_view cell : kShiftCells) add(cell, kBitCell, 0);
   } else if (object.kind == ObjectKind::Pulse) {
-    for (const std::string_view cell : kPulseCells) add(cell, false);
+    for (const std::string_view cell : kPulseCells) add(cell, kBitCell, 0);
   }
-  objects_.emplace(global.name, std::move(object));
 }
 
 std::optional<Value> Machine::method_call(bool wanted) {
@@ -169,7 +164,7 @@ std::optional<Value> Machine::method_call(bool wanted) {
 }
 
 /// A bit in a cell of its own, whatever is written after it.
-Value Machine::fresh(Value bit, std::string_view prefix) {
+Value Machine::fresh(const Value& bit, std::string_view prefix) {
   const std::string_view name =
       writer_.keep(prefix, kBitCell, bit.nodes, bit.where);
   return Arithmetic::cell(name, false, {0, 1}, CType::Unsigned, bit.where);

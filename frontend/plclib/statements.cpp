@@ -253,6 +253,10 @@ void Machine::if_statement() {
   cursor_.take();
   std::optional<Value> condition;
   if (expect("(")) condition = rvalue();
+  if (condition) {
+    condition = arithmetic_.settled(std::move(*condition));
+    if (!condition) fail("RP055", where, arithmetic_.why());
+  }
   if (in_setup_) {
     fail("RP055", where, "`if` in setup() is not supported");
     condition.reset();

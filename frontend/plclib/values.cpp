@@ -189,7 +189,7 @@ Value Arithmetic::negation(Value a) {
   return a;
 }
 
-Value Arithmetic::conjunction(Value a, Value b) {
+Value Arithmetic::conjunction(Value a, const Value& b) {
   push_all(a.nodes, b.nodes);
   push_binary(a.nodes, AstOp::And, a.where);
   a.range = {std::min(a.range.low, b.range.low),
@@ -197,7 +197,7 @@ Value Arithmetic::conjunction(Value a, Value b) {
   return a;
 }
 
-Value Arithmetic::disjunction(Value a, Value b) {
+Value Arithmetic::disjunction(Value a, const Value& b) {
   push_all(a.nodes, b.nodes);
   push_binary(a.nodes, AstOp::Or, a.where);
   a.range = {std::max(a.range.low, b.range.low),
@@ -256,7 +256,6 @@ Value Arithmetic::wrapped(Value value, bool is_signed) {
   return kept(std::move(sum), "wrapped");
 }
 
-/// An operand of a further operation is inside its type.
 std::optional<Value> Arithmetic::settled(Value value) {
   if (!value.overflows) return value;
   if (value.type == CType::Unsigned && int_bits_ == 16) {
@@ -269,9 +268,9 @@ std::optional<Value> Arithmetic::settled(Value value) {
 
 std::optional<Value> Arithmetic::unary(std::string_view op, Value a,
                                        SourceRange where) {
-  if (op == "!") return negation(truth(std::move(a)));
   std::optional<Value> operand = settled(std::move(a));
   if (!operand) return std::nullopt;
+  if (op == "!") return negation(truth(std::move(*operand)));
   if (op == "+") return word(std::move(*operand));
   if (op != "-") return refuse("`" + std::string(op) + "` is not supported");
   const CType type = common(operand->type, CType::Int);
@@ -285,11 +284,15 @@ std::optional<Value> Arithmetic::unary(std::string_view op, Value a,
 
 std::optional<Value> Arithmetic::binary(std::string_view op, Value a, Value b,
                                         SourceRange where) {
-  if (op == "&&") return conjunction(truth(std::move(a)), truth(std::move(b)));
-  if (op == "||") return disjunction(truth(std::move(a)), truth(std::move(b)));
   std::optional<Value> left = settled(std::move(a));
   std::optional<Value> right = settled(std::move(b));
   if (!left || !right) return std::nullopt;
+  if (op == "&&") {
+    return conjunction(truth(std::move(*left)), truth(std::move(*right)));
+  }
+  if (op == "||") {
+    return disjunction(truth(std::move(*left)), truth(std::move(*right)));
+  }
   const CType type = common(left->type, right->type);
   if (op == "<<" || op == ">>") {
     return shifted(op, word(std::move(*left)), *right, where);
@@ -321,7 +324,7 @@ std::optional<Value> Arithmetic::binary(std::string_view op, Value a, Value b,
 }
 
 std::optional<Value> Arithmetic::arithmetic(std::string_view op, Value a,
-                                            Value b, CType type,
+                                            const Value& b, CType type,
                                             SourceRange where) {
   if (is_unsigned(type) && (a.range.low < 0 || b.range.low < 0)) {
     return refuse("this mixes negative numbers with " +
@@ -340,14 +343,16 @@ std::optional<Value> Arithmetic::arithmetic(std::string_view op, Value a,
     range = {*std::min_element(corners.begin(), corners.end()),
              *std::max_element(corners.begin(), corners.end())};
   }
-  const bool constant = a.constant() && b.constant();
-  Value result = constant ? number(range.low, type, where)
-                          : join(kind, std::move(a), b, range, type, where);
-  const Range whole = range_of(type, int_bits_);
-  if (!whole.contains(range)) {
-    if (constant) return refuse("this number is too large");
-    result.overflows = true;
+  const bool fits = range_of(type, int_bits_).contains(range);
+  if (a.constant() && b.constant()) {
+    if (fits) return number(range.low, type, where);
+    if (int_bits_ == 16 && type == CType::Unsigned) {
+      return number(range.low & 0xffff, type, where);
+    }
+    return refuse("this number is too large");
   }
+  Value result = join(kind, std::move(a), b, range, type, where);
+  result.overflows = !fits;
   return result;
 }
 
@@ -366,20 +371,23 @@ std::optional<Value> Arithmetic::divided(std::string_view op, Value a,
     return number(op == "/" ? *constant / *divisor : *constant % *divisor, type,
                   where);
   }
-  const Value by = number(*divisor, type, where);
-  if (op == "/") {
-    const Range range = {a.range.low / *divisor, a.range.high / *divisor};
-    return join(AstOp::Divide, std::move(a), by, range, type, where);
-  }
+  if (op == "/") return quotient(std::move(a), *divisor, type, where);
   const Value whole = kept(std::move(a), "value");
+  const Range multiples = {whole.range.low / *divisor * *divisor,
+                           whole.range.high / *divisor * *divisor};
   const Value part =
-      join(AstOp::Multiply, *divided("/", whole, b, type, where), by,
-           {whole.range.low / *divisor * *divisor,
-            whole.range.high / *divisor * *divisor},
-           type, where);
+      join(AstOp::Multiply, quotient(whole, *divisor, type, where),
+           number(*divisor, type, where), multiples, type, where);
   const Range range = {whole.range.low < 0 ? 1 - *divisor : 0,
                        whole.range.high > 0 ? *divisor - 1 : 0};
   return kept(join(AstOp::Subtract, whole, part, range, type, where), "value");
+}
+
+Value Arithmetic::quotient(Value a, std::int64_t divisor, CType type,
+                           SourceRange where) {
+  const Range range = {a.range.low / divisor, a.range.high / divisor};
+  return join(AstOp::Divide, std::move(a), number(divisor, type, where), range,
+              type, where);
 }
 
 std::optional<Value> Arithmetic::shifted(std::string_view op, Value a,
@@ -443,7 +451,11 @@ Value Arithmetic::choose(Value condition, Value then, Value otherwise,
 }
 
 std::optional<Value> Arithmetic::converted(Value value, CType type) {
-  if (type == CType::Bool) return truth(std::move(value));
+  if (type == CType::Bool) {
+    std::optional<Value> settled_value = settled(std::move(value));
+    if (!settled_value) return std::nullopt;
+    return truth(std::move(*settled_value));
+  }
   const Range whole = range_of(type, int_bits_);
   const bool fits = whole.contains(value.range);
   if (fits && !value.overflows) {

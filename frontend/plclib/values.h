@@ -87,14 +87,17 @@ class Arithmetic {
   Value is_one(Value value);
 
   static Value negation(Value a);
-  static Value conjunction(Value a, Value b);
-  static Value disjunction(Value a, Value b);
+  static Value conjunction(Value a, const Value& b);
+  static Value disjunction(Value a, const Value& b);
 
   /// An operator of C++ by its text, `?:` apart.
   std::optional<Value> unary(std::string_view op, Value a, SourceRange where);
   std::optional<Value> binary(std::string_view op, Value a, Value b,
                               SourceRange where);
   Value choose(Value condition, Value then, Value otherwise, SourceRange where);
+
+  /// The value where it is an operand or is tested: inside its type.
+  std::optional<Value> settled(Value value);
 
   /// What a variable of this type holds when it is given the value.
   std::optional<Value> converted(Value value, CType type);
@@ -110,11 +113,11 @@ class Arithmetic {
     return std::nullopt;
   }
   CType common(CType a, CType b) const;
-  std::optional<Value> settled(Value value);
-  std::optional<Value> arithmetic(std::string_view op, Value a, Value b,
+  std::optional<Value> arithmetic(std::string_view op, Value a, const Value& b,
                                   CType type, SourceRange where);
   std::optional<Value> divided(std::string_view op, Value a, const Value& b,
                                CType type, SourceRange where);
+  Value quotient(Value a, std::int64_t divisor, CType type, SourceRange where);
   std::optional<Value> shifted(std::string_view op, Value a, const Value& b,
                                SourceRange where);
   std::optional<Value> compared(AstOp op, Value a, Value b, CType type,

@@ -148,6 +148,47 @@ TEST(PlclibReader, InputsMayBeStable) {
             "RP056 1:5 expected `inputs stable` and found `inputs firm`\n");
 }
 
+// `unsigned int` has 16 bits and wraps; nothing else may leave its type.
+TEST(PlclibReader, UnsignedArithmeticWraps) {
+  Text text(sketch("unsigned int u = 65535, v; bool b;",
+                   "u = u + 1; v = u - 1; b = u + 65535U;"));
+  EXPECT_EQ(text.problems(), "");
+  Simulator simulator(text.program);
+  const auto value = [&](std::string_view name) {
+    return simulator.value(find_cell(text.program, name));
+  };
+  simulator.scan(10);
+  EXPECT_EQ(value("u"), 0);
+  EXPECT_EQ(value("v"), 65'535);
+  EXPECT_EQ(value("b"), 1);
+  simulator.scan(10);
+  EXPECT_EQ(value("u"), 1);
+  EXPECT_EQ(value("v"), 0);
+  EXPECT_EQ(value("b"), 0);
+}
+
+TEST(PlclibReader, IntegersAreThoseOfCpp) {
+  Text text(sketch("int a, b, c, d, g, n; unsigned int e; bool f;",
+                   "a = digitalRead(X0) ? -17 : 9; g = digitalRead(X1) ? 17 : "
+                   "2; b = -a / 5 + a % 5; c = g << 2 >> 1; "
+                   "d = a > 3 ? a - 20 : 7; e = (g & 1) | (b == -1); "
+                   "f = !a || d < b && c >= 34; n += 3; n -= 1; n--;"));
+  EXPECT_EQ(text.problems(), "");
+  Simulator simulator(text.program);
+  simulator.set_input(find_cell(text.program, "X0"), 1);
+  simulator.set_input(find_cell(text.program, "X1"), 1);
+  simulator.scan(10);
+  const auto value = [&](std::string_view name) {
+    return simulator.value(find_cell(text.program, name));
+  };
+  EXPECT_EQ(value("b"), 17 / 5 + -17 % 5);
+  EXPECT_EQ(value("c"), 17 << 2 >> 1);
+  EXPECT_EQ(value("d"), 7);
+  EXPECT_EQ(value("e"), 1);
+  EXPECT_EQ(value("f"), 0);
+  EXPECT_EQ(value("n"), 1);
+}
+
 // Before each call and after the last one the task may run, with the
 // accumulator that it finds and leaves.
 TEST(PlclibReader, ATaskMayRunBetweenCalls) {
@@ -259,6 +300,12 @@ TEST(PlclibReader, RefusesWhatItCannotRead) {
       {"set(1U + 1U);", "RP055"},
       {"out(2U);", "RP058"},
       {"in(100000UL);", "RP055"},
+      {"#include <plcLib.h>\nint x;\nvoid setup() {}\nvoid loop() {\n"
+       "x = x + 1; if (x + 1) in(X0); }",
+       "RP055"},
+      {"#include <plcLib.h>\nint x, y;\nvoid setup() {}\nvoid loop() {\n"
+       "x = x + 1; y = (x + 1) / 2; }",
+       "RP055"},
       {"#include <plcLib.h>\nvoid f() {}\nvoid setup() {}\nvoid loop() {}",
        "RP055"},
       {"#include <plcLib.h>\nvoid f() { int x = 1; in(X0); }\n"
