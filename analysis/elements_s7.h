@@ -131,7 +131,7 @@ inline constexpr std::array<ElementOperation, 3> kStoredOperations = {{
 // An off-delay times from the falling edge on, also after a reset.
 inline constexpr std::array<ElementUpdate, 4> kOffStep = {{
     {"out", "out || v && !last || !v && last"},
-    {"elapsed", "v && !last || !v && last ? 0 : elapsed"},
+    {"elapsed", "v ? 0 : elapsed"},
     {"timing", "!v && (timing || last)"},
     {"last", "v"},
 }};
@@ -158,7 +158,10 @@ inline constexpr std::array<ElementState, 5> kCounterStates = {{
     {.name = "last_down", .type = StateType::Bit},
     {.name = "last_set", .type = StateType::Bit},
     {.name = "last_free", .type = StateType::Bit},
-    {.name = "value", .type = StateType::Count, .low = "0", .high = "999"},
+    {.name = "value",
+     .type = StateType::Count,
+     .low = "-32768",
+     .high = "32767"},
 }};
 inline constexpr std::array<ElementParameter, 3> kSetParameters = {
     {{"n", Index}, {"v", Bit}, {"PV", ParameterKind::Word}}};
@@ -172,8 +175,9 @@ inline constexpr std::array<ElementUpdate, 2> kDownStep = {{
     {"value", "v && !last_down && value > 0 ? value - 1 : value"},
     {"last_down", "v"},
 }};
+// That PV is 0 to 999 is the reader's business: it is a constant or checked.
 inline constexpr std::array<ElementUpdate, 2> kSetStep = {{
-    {"value", "v && !last_set ? (PV < 0 ? 0 : PV > 999 ? 999 : PV) : value"},
+    {"value", "v && !last_set ? PV : value"},
     {"last_set", "v"},
 }};
 inline constexpr std::array<ElementUpdate, 1> kClearStep = {{

@@ -1,6 +1,5 @@
 #include "analysis/simulator_elements_s7.h"
 
-#include <algorithm>
 #include <array>
 
 namespace rung {
@@ -100,7 +99,7 @@ std::int64_t reset_timer(E& e, const In& in, Clock& /*clock*/) {
 // that at the last S, out that at the last FR.
 
 std::int64_t count_status(E& e, const In& /*in*/, Clock& /*clock*/) {
-  return e.count != 0 ? 1 : 0;
+  return e.count > 0 ? 1 : 0;
 }
 
 std::int64_t count_value(E& e, const In& /*in*/, Clock& /*clock*/) {
@@ -108,19 +107,17 @@ std::int64_t count_value(E& e, const In& /*in*/, Clock& /*clock*/) {
 }
 
 std::int64_t count_up(E& e, const In& in, Clock& clock) {
-  if (rises(e.last, in.bit(0)) && e.count != 999) ++e.count;
+  if (rises(e.last, in.bit(0)) && e.count < 999) ++e.count;
   return count_status(e, in, clock);
 }
 
 std::int64_t count_down(E& e, const In& in, Clock& clock) {
-  if (rises(e.last_down, in.bit(0)) && e.count != 0) --e.count;
+  if (rises(e.last_down, in.bit(0)) && e.count > 0) --e.count;
   return count_status(e, in, clock);
 }
 
 std::int64_t set_count(E& e, const In& in, Clock& clock) {
-  if (rises(e.started, in.bit(0))) {
-    e.count = std::clamp<std::int64_t>(in.value[1], 0, 999);
-  }
+  if (rises(e.started, in.bit(0))) e.count = in.value[1];
   return count_status(e, in, clock);
 }
 
@@ -187,7 +184,7 @@ constexpr std::array<SimulatedShape, 6> kShapes = {{
          }},
     {.kind = "counter-s7",
      .done = [](const E& e, std::int64_t,
-                std::int64_t) { return e.count != 0; }},
+                std::int64_t) { return e.count > 0; }},
 }};
 
 }  // namespace

@@ -75,6 +75,7 @@ constexpr std::array kOperators = {
 
 std::vector<std::string_view> operator_names() {
   std::vector<std::string_view> names;
+  names.reserve(kOperators.size());
   for (const Operator& op : kOperators) names.push_back(op.name);
   return names;
 }

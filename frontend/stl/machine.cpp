@@ -193,6 +193,19 @@ void Machine::dispatch(const Statement& statement, const Operator& op) {
       return end(op, where);
     case Code::Call:
       return call(statement, op);
+    case Code::ZoneOn:
+    case Code::ZoneOpen:
+    case Code::ZoneClose:
+    case Code::ZoneOff:
+      return zone(op, where);
+    default:
+      return dispatch_words(statement, op);
+  }
+}
+
+void Machine::dispatch_words(const Statement& statement, const Operator& op) {
+  const SourceRange where = statement.where;
+  switch (op.code) {
     case Code::Load:
     case Code::LoadBcd:
       return load(statement, op);
@@ -212,17 +225,12 @@ void Machine::dispatch(const Statement& statement, const Operator& op) {
     case Code::Release:
     case Code::Count:
       return counter(statement, op);
-    case Code::ZoneOn:
-    case Code::ZoneOpen:
-    case Code::ZoneClose:
-    case Code::ZoneOff:
-      return zone(op, where);
-    case Code::Nothing:
-      return;
     case Code::ResetStatus:
       return reset_status(where);
     case Code::Assert:
       return check(statement, op);
+    default:
+      return;  // NOP
   }
 }
 

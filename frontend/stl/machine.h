@@ -89,6 +89,7 @@ class Machine {
   void leave();
   void step(const Statement& statement);
   void dispatch(const Statement& statement, const Operator& op);
+  void dispatch_words(const Statement& statement, const Operator& op);
   void label(const Statement& statement);
   void jump(const Statement& statement, const Operator& op);
   void jump_to(const std::string& label, const Expression& condition,

@@ -282,8 +282,9 @@ void Machine::write_bit(const Statement& statement, const Operator& op) {
   if (!address) return;
   if (is_read_later() || !parens_.empty()) settle_registers(where);
   Expression value = result();
-  if (in_zone()) value = joined(value, AstOp::And, zones_.back());
   Expression sta = value;
+  if (in_zone()) value = joined(value, AstOp::And, zones_.back());
+  if (op.code == Code::Assign) sta = value;
   if (op.code == Code::Assign) {
     const bool always = writer_.guard() == frames_.back().guard;
     memory_.mark_written(*address, always);

@@ -153,6 +153,7 @@ const Operator* find_operator(std::string_view upper_name,
 
 std::vector<std::string_view> operator_names() {
   std::vector<std::string_view> names;
+  names.reserve(kOperators.size());
   for (const Operator& op : kOperators) names.push_back(op.name);
   return names;
 }

@@ -9,6 +9,7 @@
 #include "analysis/build_declared.h"
 #include "block_programs.h"
 #include "frontend/postfix/reader.h"
+#include "frontend/stl/reader.h"
 #include "program_generator.h"
 
 namespace rung {
@@ -150,6 +151,23 @@ ProgramRun counts_both_ways(std::string name,
   return run;
 }
 
+/// A counter of S7 at its ends: set to 998, up three times, and down while FR
+/// lets an edge be counted anew.
+ProgramRun counts_to_999() {
+  ProgramRun run{"counter of S7 at its ends", {}, {}};
+  DiagnosticList diagnostics;
+  const FileId file = run.read.sources.add(
+      "directed",
+      "U E 0.0\nL C#998\nS Z 1\nU E 0.1\nZV Z 1\nU E 0.2\nZR Z 1\n"
+      "U E 0.3\nFR Z 1\nL Z 1\nT MW 0\n");
+  run.read.program = build_declared(
+      read_stl(run.read.sources, file, diagnostics), diagnostics);
+  if (diagnostics.has_errors()) std::abort();
+  run.stimulus = levels(run.read.program, {"100000000000", "010101000000",
+                                           "000000111110", "000000010100"});
+  return run;
+}
+
 }  // namespace
 
 std::vector<ProgramRun> mutant_runs(std::uint64_t count) {
@@ -170,6 +188,7 @@ std::vector<ProgramRun> mutant_runs(std::uint64_t count) {
       "CTUD at its ceiling", {"0101", "0000", "0000", "1000", "0000"}, 32766));
   runs.push_back(counts_to_the_limit());
   runs.push_back(counts_down());
+  runs.push_back(counts_to_999());
   return runs;
 }
 
