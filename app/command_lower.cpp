@@ -8,8 +8,11 @@
 #include "app/output.h"
 #include "app/session.h"
 #include "app/translation.h"
+#include "backend/ascii/write.h"
 #include "backend/il_iec/write.h"
+#include "backend/il_mitsubishi/write.h"
 #include "backend/postfix/lower.h"
+#include "backend/script/write.h"
 #include "backend/st/write.h"
 #include "base/text.h"
 
@@ -27,10 +30,10 @@ struct Target {
 };
 constexpr std::array kTargets = {
     Target{"postfix", true}, Target{"il-iec", true, lower_to_il_iec},
-    Target{"il-mitsubishi"}, Target{"plclib"},
+    Target{"il-mitsubishi", true, lower_to_il_mitsubishi}, Target{"plclib"},
     Target{"plcopen"},       Target{"ldmicro"},
-    Target{"ascii"},         Target{"st", false, lower_to_st},
-    Target{"script"},
+    Target{"ascii", true, lower_to_ascii},         Target{"st", false, lower_to_st},
+    Target{"script", true, lower_to_script},
 };
 
 std::optional<std::string> check_target(const Options& options) {

@@ -19,6 +19,11 @@ class Matching {
     for (const CellId id : ids_of(written.cells)) {
       by_name_.emplace(written.cells[id].name, id);
     }
+    used_.resize(source.cells.size(), false);
+    for (const Node& node : source.nodes) {
+      if (node.op == NodeOp::Read) used_[node.cell.index()] = true;
+    }
+    for (const Rung& rung : source.rungs) used_[rung.target.index()] = true;
   }
 
   /// The first declaration that is lost or changed; empty: none.
@@ -59,12 +64,17 @@ class Matching {
         renamed == to_.end() ? std::string_view(cell.name) : renamed->second;
     const auto found = by_name_.find(name);
     if (found == by_name_.end()) {
-      return cell.made ? "" : "`" + cell.name + "` is lost";
+      // Without it the other side cannot depend on it: that is compared.
+      const bool may_be = cell.made || !used_[id.index()] ||
+                          cell.role == CellRole::Input;
+      return may_be ? "" : "`" + cell.name + "` is lost";
     }
     Cell& other = written_.cells[found->second];
     const bool input = cell.role == CellRole::Input;
-    // A memory cell is compared too; what is outside stays outside.
-    if (cell.type != other.type || cell.role != other.role ||
+    // Some languages have no memory but outputs. A memory cell is compared too.
+    const bool shown =
+        cell.role == CellRole::Memory && other.role == CellRole::Output;
+    if (cell.type != other.type || (cell.role != other.role && !shown) ||
         (input && (cell.low < other.low || cell.high > other.high))) {
       return "the declaration of `" + cell.name + "` differs";
     }
@@ -87,6 +97,7 @@ class Matching {
   Names to_;
   std::unordered_map<std::string_view, CellId> by_name_;
   std::unordered_set<CellId> taken_;
+  std::vector<bool> used_;  // by cell of the source: a rung speaks of it
 };
 
 }  // namespace

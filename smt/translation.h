@@ -24,7 +24,8 @@ struct TranslationCheck {
 };
 
 /// Is `written`, what a translation gave, its source? Every signal that the
-/// source's text names is there, with its direction, its type and its range;
+/// source's rungs write is there, and every input but those that make no
+/// difference, with its direction, its type and its range;
 /// and each that a rung writes has the same value at every scan's end. Cells
 /// that a reader or the translator made are not compared.
 TranslationCheck check_translation(Program source, Program written,

@@ -1,12 +1,15 @@
 #include "backend/unit/builder.h"
 
+#include <algorithm>
 #include <utility>
+
+#include "backend/unit/elements_common.h"
 
 namespace rung::backend {
 namespace {
 
-constexpr std::int64_t kLeast = -32'768;
-constexpr std::int64_t kMost = 32'767;
+constexpr Bounds k16Bits = {-32'768, 32'767};
+constexpr Bounds k32Bits = {-2'147'483'648, 2'147'483'647};
 
 /// Operators under which arithmetic modulo 2^16 is that of the integers.
 bool is_ring(NodeOp op) {
@@ -43,6 +46,11 @@ std::uint32_t operands_of(NodeOp op) {
       return 2;
   }
   return 0;
+}
+
+bool contains_call(const Terms& terms) {
+  return std::any_of(terms.begin(), terms.end(),
+                     [](const Term& term) { return term.op == NodeOp::Call; });
 }
 
 /// `guard AND value OR NOT guard AND cell`: how readers write a statement
@@ -95,6 +103,7 @@ std::optional<Unit> UnitBuilder::build(Elements& elements,
   check_words();
   elements.declare(*this);
   declare_cells();
+  relate_constants();
   for (const RungId id : ids_of(program_.rungs)) lower_rung(id);
   if (!program_.plant.statements.empty()) {
     sink_.report({.code = "RP085",
@@ -110,6 +119,21 @@ std::optional<Unit> UnitBuilder::build(Elements& elements,
 
 // --- cells and words ---------------------------------------------------------
 
+/// What no rung writes stays as it is.
+void UnitBuilder::relate_constants() {
+  std::vector<bool> written(program_.cells.size(), false);
+  for (const Rung& rung : program_.rungs) written[rung.target.index()] = true;
+  for (const CellId id : ids_of(program_.cells)) {
+    const Cell& cell = program_.cells[id];
+    if (written[id.index()] || cell.role == CellRole::Input ||
+        cell.type == Type::Word) {
+      continue;
+    }
+    unit_.relations.push_back(
+        {cell.initial != 0 ? "c" : "!c", {{"c", cell.name}}});
+  }
+}
+
 // Cells that the text names come first: they keep their names.
 void UnitBuilder::declare_cells() {
   for (const bool made : {false, true}) {
@@ -121,29 +145,41 @@ void UnitBuilder::declare_cells() {
       if (cell.type == Type::Word && !profile_.words) {
         fail(cell.where, "`" + cell.name + "` is a word: " +
                              std::string(profile_.name) + " have bits only");
-      } else if (cell.type == Type::Word && !range.within(kLeast, kMost)) {
-        fail(cell.where, "`" + cell.name +
-                             "` may leave -32768..32767, the 16 bits of a "
-                             "word of " +
-                             std::string(profile_.name));
+      } else if (cell.type == Type::Word && !fits(range)) {
+        fail(cell.where, "`" + cell.name + "` may leave " + word_range());
+      }
+      if (!input && cell.initial != 0 && !profile_.first_values) {
+        fail(cell.where, "`" + cell.name + "` begins with " +
+                             std::to_string(cell.initial) + ": cells of " +
+                             std::string(profile_.name) + " begin with 0");
       }
       const bool bit = cell.type == Type::Bit;
       if (!bit && !input) {
         // So the wrapping of the target's words changes nothing.
-        unit_.relations.push_back(
-            {"w >= " + std::to_string(range.low) + " && w <= " +
-                 std::to_string(range.high),
-             {{"w", cell.name}}});
+        unit_.relations.push_back({"w >= " + std::to_string(range.low) +
+                                       " && w <= " + std::to_string(range.high),
+                                   {{"w", cell.name}}});
       }
       bind(id, unit_.variables.add({.name = names_.add(cell.name),
                                     .source = cell.name,
                                     .type = cell.type,
                                     .role = cell.role,
                                     .initial = input ? 0 : cell.initial,
-                                    .low = bit ? 0 : kLeast,
-                                    .high = bit ? 1 : kMost}));
+                                    .low = cell.low,
+                                    .high = cell.high}));
     }
   }
+}
+
+bool UnitBuilder::fits(Bounds bounds) const {
+  const Bounds all = profile_.wraps ? k16Bits : k32Bits;
+  return bounds.within(all.low, all.high);
+}
+
+std::string UnitBuilder::word_range() const {
+  return (profile_.wraps ? "-32768..32767, the 16 bits of a word of "
+                         : "the 32 bits of a word of ") +
+         std::string(profile_.name);
 }
 
 void UnitBuilder::check_words() {
@@ -156,6 +192,13 @@ void UnitBuilder::check_words() {
 void UnitBuilder::check_rung_words(const Rung& rung, std::vector<bool>& wraps) {
   for (std::uint32_t at = rung.end; at-- > rung.begin;) {
     const Node& node = program_.nodes[at];
+    if (node.op == NodeOp::Wrap16 && !profile_.wraps) {
+      if (!bounds_.nodes[node.a].within(k16Bits.low, k16Bits.high)) {
+        fail(node.where, "this wraps at 16 bits: words of " +
+                             std::string(profile_.name) + " do not");
+      }
+      continue;
+    }
     const bool through =
         node.op == NodeOp::Wrap16 || (wraps[at] && is_ring(node.op));
     if (through) {
@@ -163,26 +206,38 @@ void UnitBuilder::check_rung_words(const Rung& rung, std::vector<bool>& wraps) {
       if (operands_of(node.op) == 2) wraps[node.b] = true;
     }
     if (node.type == Type::Bit || node.op == NodeOp::Read) continue;
+    if (node.op == NodeOp::Divide && profile_.short_circuits) {
+      fail(node.where, "a division: that of " + std::string(profile_.name) +
+                           " gives fractions");
+    }
     if (!profile_.words) {
       fail(node.where,
            "a number: " + std::string(profile_.name) + " have bits only");
       continue;
     }
     const bool constant = node.op == NodeOp::Constant;
-    if (bounds_.nodes[at].within(kLeast, kMost)) continue;
+    if (fits(bounds_.nodes[at])) continue;
     if (wraps[at] && !constant) continue;
-    fail(node.where,
-         constant ? "the constant " + std::to_string(node.value) +
-                        " does not fit the 16 bits of a word of " +
-                        std::string(profile_.name)
-                  : "this may leave -32768..32767, the 16 bits of a word of " +
-                        std::string(profile_.name));
+    fail(node.where, constant ? "the constant " + std::to_string(node.value) +
+                                    " is outside of " + word_range()
+                              : "this may leave " + word_range());
   }
 }
 
+namespace {
+
+/// "T_0" for "T(0)".
+std::string plain_name(std::string name) {
+  std::erase(name, ')');
+  std::replace(name.begin(), name.end(), '(', '_');
+  return name;
+}
+
+}  // namespace
+
 BlockId UnitBuilder::add_block(std::string_view type,
                                const Instance& instance) {
-  return unit_.blocks.add({.name = names_.add(instance.name),
+  return unit_.blocks.add({.name = names_.add(plain_name(instance.name)),
                            .type = type,
                            .source = instance.name});
 }
@@ -197,12 +252,9 @@ CellId UnitBuilder::add_pin(BlockId block, std::string_view pin, Type type) {
 
 CellId UnitBuilder::add_state(const Instance& instance, std::string_view state,
                               Type type) {
-  const bool bit = type == Type::Bit;
   return unit_.variables.add(
-      {.name = names_.add(instance.name + "_" + std::string(state)),
-       .type = type,
-       .low = bit ? 0 : kLeast,
-       .high = bit ? 1 : kMost});
+      {.name = names_.add(plain_name(instance.name) + "_" + std::string(state)),
+       .type = type});
 }
 
 // --- rungs -------------------------------------------------------------------
@@ -228,8 +280,9 @@ void UnitBuilder::finish_rung(const Rung& rung) {
   Terms value = take(1);
   const bool self = value.size() == 1 && value[0].op == NodeOp::Read &&
                     value[0].cell == target;
-  if (self) return;  // the pin that a call has written
-  if (profile_.conditions) {
+  // The pin that a call has written.
+  if (self && unit_.variables[target].block.has_value()) return;
+  if (profile_.conditions && !profile_.inline_calls) {
     if (const auto found = conditional_of(value, target)) {
       const Terms guard = read_term(found->guard, Type::Bit);
       const auto begin = value.begin();
@@ -258,7 +311,11 @@ void UnitBuilder::lower_node(std::uint32_t at) {
     case NodeOp::Wrap16:
       return;  // so do the target's words
     case NodeOp::ToWord:
-      return bit_to_word();
+      if (!profile_.inline_calls) return bit_to_word();
+      break;
+    case NodeOp::Xor:
+      if (profile_.ladder) return expand_xor();
+      break;
     case NodeOp::ToBit: {
       Terms word = take(1);
       return push(joined(NodeOp::NotEqual, Type::Bit, std::move(word),
@@ -292,24 +349,51 @@ void UnitBuilder::lower_call(std::uint32_t at) {
   std::vector<Terms> arguments(call.arguments.size());
   for (std::size_t i = arguments.size(); i-- > 0;) arguments[i] = take(1);
   --calls_left_[call.instance];
-  push(elements_->call(*this, call, std::move(arguments)));
+  Terms result = elements_->call(*this, call, std::move(arguments));
+  // Where the source always executes it, it must not stand behind `&&`.
+  const bool skipped =
+      profile_.short_circuits && program_.evaluation == Evaluation::Strict &&
+      contains_call(result) && at != program_.rungs[rung_].root();
+  if (skipped) result = read_term(kept_cell(std::move(result)), Type::Bit);
+  push(result);
+}
+
+Terms UnitBuilder::inline_call(std::string head,
+                               const std::vector<Terms>& operands) {
+  Terms terms;
+  for (const Terms& operand : operands) {
+    terms.insert(terms.end(), operand.begin(), operand.end());
+  }
+  const auto count = static_cast<std::uint32_t>(operands.size());
+  push_operator(terms, NodeOp::Call, Type::Bit, count);
+  terms.back().call = static_cast<std::uint32_t>(unit_.calls.size());
+  unit_.calls.push_back({std::move(head), count});
+  return terms;
 }
 
 /// From here to the And or Or, statements stand behind a condition.
 void UnitBuilder::lower_branch(std::uint32_t at) {
   const Node& marker = program_.nodes[at];
-  const Terms left = kept(take(1));
-  push(left);
-  Terms on = marker.skip_when ? negated(left) : left;
-  if (!open_.empty()) {
-    on = kept(joined(NodeOp::And, Type::Bit, open_.back().guard, on));
-  }
   if (!profile_.conditions) {
     fail(marker.where,
          "a timer, counter or edge that is not executed in every scan: " +
              std::string(profile_.name) + " have no condition for that");
   }
+  if (elements_->inline_only()) return;
+  const Terms left = kept(take(1));
+  push(left);
+  Terms on = marker.skip_when ? negated(left) : left;
+  if (!open_.empty()) {
+    on = kept(both(open_.back().guard, on));
+  }
   open_.push_back({marker.target, std::move(on)});
+}
+
+/// As contacts: each operand is needed twice.
+void UnitBuilder::expand_xor() {
+  const Terms right = kept(take(1));
+  const Terms left = kept(take(1));
+  push(either(both(left, negated(right)), both(negated(left), right)));
 }
 
 /// A bit as 0 or 1.
@@ -330,11 +414,8 @@ void UnitBuilder::bit_to_word() {
 
 CellId UnitBuilder::make(Type type) {
   const CellId target = variable_of_[program_.rungs[rung_].target.index()];
-  const bool bit = type == Type::Bit;
-  return unit_.variables.add({.name = names_.make(unit_.variables[target].name),
-                              .type = type,
-                              .low = bit ? 0 : kLeast,
-                              .high = bit ? 1 : kMost});
+  return unit_.variables.add(
+      {.name = names_.make(unit_.variables[target].name), .type = type});
 }
 
 // --- for elements ------------------------------------------------------------
@@ -346,7 +427,8 @@ Terms UnitBuilder::kept(Terms value, Type type) {
 
 CellId UnitBuilder::kept_cell(Terms value, Type type) {
   const CellId cell = make(type);
-  pure(cell, std::move(value));
+  const bool executes = contains_call(value) && !open_.empty();
+  pure(cell, std::move(value), executes ? open_.back().guard : Terms());
   return cell;
 }
 

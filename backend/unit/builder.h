@@ -29,6 +29,8 @@ class Elements {
   /// keeps its value to the end of the rung.
   virtual Terms call(UnitBuilder& builder, const ElementCall& call,
                      std::vector<Terms> arguments) = 0;
+  /// All calls stay in their expressions: short circuits skip them there.
+  virtual bool inline_only() const { return false; }
 };
 
 /// What a target can express.
@@ -37,7 +39,12 @@ struct Profile {
   const NameRules* names = nullptr;
   /// Statements behind conditions: `IF`, jumps, or an enable input.
   bool conditions = true;
-  bool words = true;  // of 16 bits, with arithmetic and comparisons
+  bool first_values = true;  // cells may begin with another value than 0
+  bool words = true;         // with arithmetic and comparisons
+  bool wraps = true;         // words are modulo 2^16, else they hold 32 bits
+  bool ladder = false;  // contacts in series and in parallel are all there is
+  bool inline_calls = false;    // elements are called in expressions
+  bool short_circuits = false;  // `&&` and `||` of those, in every case
 };
 
 /// Turns a program into a Unit: calls of elements stand in statements of their
@@ -67,6 +74,8 @@ class UnitBuilder {
     variable_of_[cell.index()] = variable;
   }
 
+  /// The call of an element that stands in an expression.
+  Terms inline_call(std::string head, const std::vector<Terms>& operands);
   /// A contact as it is; else a made variable that holds the value.
   Terms kept(Terms value, Type type = Type::Bit);
   /// The made variable in any case.
@@ -86,13 +95,17 @@ class UnitBuilder {
   };
 
   void declare_cells();
+  void relate_constants();
   void check_words();
+  bool fits(Bounds bounds) const;
+  std::string word_range() const;
   void check_rung_words(const Rung& rung, std::vector<bool>& wraps);
   void lower_rung(RungId id);
   void lower_node(std::uint32_t at);
   void lower_call(std::uint32_t at);
   void lower_branch(std::uint32_t at);
   void bit_to_word();
+  void expand_xor();
   void finish_rung(const Rung& rung);
   Terms take(std::size_t operands);
   void push(const Terms& terms);

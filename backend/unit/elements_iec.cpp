@@ -9,6 +9,8 @@
 #include <string>
 #include <utility>
 
+#include "backend/unit/elements_common.h"
+
 namespace rung::backend {
 namespace {
 
@@ -16,33 +18,16 @@ using enum NodeOp;
 
 constexpr std::int64_t kLongest = std::numeric_limits<std::int32_t>::max();
 
-Terms both(Terms left, const Terms& right) {
-  return joined(And, Type::Bit, std::move(left), right);
-}
-
-bool is_false(const Terms& terms) {
-  return terms.size() == 1 && terms[0].op == Constant && terms[0].value == 0;
-}
-
 /// The first output of a block of the standard.
 std::string_view output_of(std::string_view block) {
   if (block == "CTUD") return "QU";
   return block == "SR" || block == "RS" ? "Q1" : "Q";
 }
 
-class IecElements : public Elements {
+class IecElements : public MappedElements {
  public:
   void declare(UnitBuilder& builder) override {
-    const Program& program = builder.program();
-    uses_.resize(program.instances.size());
-    for (const ElementCall& call : program.calls) {
-      Use& use = uses_[call.instance.index()];
-      use.operations.insert(call.operation->name);
-      if (call.operation->steps()) use.presets.insert(call.parameter);
-    }
-    for (const InstanceId id : ids_of(program.instances)) {
-      declare_instance(builder, id);
-    }
+    MappedElements::declare(builder);
     bind_pins(builder);
   }
 
@@ -60,40 +45,13 @@ class IecElements : public Elements {
   }
 
  private:
-  /// An element of the source: how it is called, and what it is here.
-  struct Use {
-    std::set<std::string_view> operations;
-    std::set<std::int64_t> presets;
-    BlockId block;  // no value: states alone
-    std::map<std::string_view, CellId> pins;
-    std::map<std::string_view, CellId> states;
-  };
-
-  Use& use_of(const ElementCall& call) { return uses_[call.instance.index()]; }
-
-  Terms pin(UnitBuilder& builder, Use& use, std::string_view name,
-            Type type = Type::Bit) {
-    return read_term(pin_cell(builder, use, name, type), type);
-  }
-  CellId pin_cell(UnitBuilder& builder, Use& use, std::string_view name,
-                  Type type = Type::Bit) {
-    const auto [at, added] = use.pins.emplace(name, CellId());
-    if (added) at->second = builder.add_pin(use.block, name, type);
-    return at->second;
-  }
-  static Terms state(const Use& use, std::string_view name,
-                     Type type = Type::Bit) {
-    return read_term(use.states.at(name), type);
-  }
-
   // --- declarations ----------------------------------------------------------
 
-  void declare_instance(UnitBuilder& builder, InstanceId id) {
-    const Instance& instance = builder.program().instances[id];
-    Use& use = uses_[id.index()];
+  void declare_instance(UnitBuilder& builder, const Instance& instance,
+                        Use& use) override {
     const std::string_view kind = instance.kind->id;
     const auto add_state = [&](std::string_view name, Type type) {
-      use.states[name] = builder.add_state(instance, name, type);
+      MappedElements::add_state(builder, instance, use, name, type);
     };
     if (kind == "timer-yun") {
       use.block = builder.add_block("TON", instance);
@@ -139,13 +97,13 @@ class IecElements : public Elements {
         std::to_string(use.presets.empty() ? 0 : *use.presets.rbegin());
     const std::string_view kind = instance.kind->id;
     if (kind == "timer-yun" || kind == "timer-sim") {
-      add("s <-> t", {{"s", name + "started"}, {"t", name + "on", true}});
-      add("e == f", {{"e", name + "elapsed"}, {"f", name + "elapsed", true}});
-      add("s || e == 0", {{"s", name + "started"}, {"e", name + "elapsed"}});
+      relate_timer(builder, instance.name, false, true, 0);
       if (kind == "timer-sim") return;
       add("s <-> t", {{"s", name + "started"}, {"t", of("started"), true}});
     } else if (kind == "timer-off-sim") {
-      relate_off_delay(name, preset, use.states.empty() ? "" : of("out"), add);
+      relate_timer(builder, instance.name, true, true,
+                   use.presets.empty() ? 0 : *use.presets.rbegin(),
+                   use.states.empty() ? "" : of("out"));
     } else if (kind == "counter-yun" && use.block.has_value()) {
       add("w < " + preset + " ? v == w : v == " + preset,
           {{"v", name + "value"}, {"w", name + "value", true}});
@@ -159,30 +117,6 @@ class IecElements : public Elements {
       add("l <-> m",
           {{"l", name + (kind == "counter-sim" ? "last_up" : "last")},
            {"m", of("last"), true}});
-    }
-  }
-
-  template <class Add>
-  static void relate_off_delay(const std::string& name,
-                               const std::string& preset,
-                               const std::string& kept_out, const Add& add) {
-    const StateRelation::Name armed = {"a", name + "armed"};
-    const StateRelation::Name out = {"o", name + "out"};
-    const StateRelation::Name elapsed = {"e", name + "elapsed"};
-    const StateRelation::Name on = {"n", name + "on", true};
-    const StateRelation::Name fallen = {"x", name + "fallen", true};
-    const StateRelation::Name clock = {"f", name + "elapsed", true};
-    add("a <-> n", {armed, on});
-    add("!n || o", {on, out});
-    add("!o || n || x", {out, on, fallen});
-    add("!o || e == f", {out, elapsed, clock});
-    add("!n || f == 0", {on, clock});
-    add("!n || !x", {on, fallen});
-    add("o && !a || e == 0", {out, armed, elapsed});
-    if (kept_out.empty()) {
-      add("o || !x || f >= " + preset, {out, fallen, clock});
-    } else {
-      add("o <-> k", {out, {"k", kept_out, true}});
     }
   }
 
@@ -216,8 +150,8 @@ class IecElements : public Elements {
       if (!input && results[id.index()] != steps[found->second.index()]) {
         continue;
       }
-      builder.bind(
-          id, pin_cell(builder, uses_[found->second.index()], name, cell.type));
+      builder.bind(id,
+                   pin_cell(builder, use_of(found->second), name, cell.type));
     }
   }
 
@@ -277,6 +211,7 @@ class IecElements : public Elements {
     Use& use = use_of(call);
     const ElementOperation& operation = *call.operation;
     const Type type = operation.word ? Type::Word : Type::Bit;
+    if (!use.block.has_value()) return constant_term(type, 0);  // refused
     if (operation.reads) {
       const std::string_view name =
           operation.name.substr(operation.name.find('.') + 1);
@@ -472,8 +407,6 @@ class IecElements : public Elements {
     builder.assign(use.states.at("last"), input);
     return read_term(result_cell, Type::Bit);
   }
-
-  std::vector<Use> uses_;  // by InstanceId
 };
 
 }  // namespace

@@ -34,6 +34,8 @@ int strength_of(NodeOp op) {
   }
 }
 
+constexpr int kTight = 6;  // a bit that counts as a number
+
 bool is_comparison(NodeOp op) {
   return strength_of(op) == 1 && op != NodeOp::Xor;
 }
@@ -71,6 +73,8 @@ class Printer {
       text_ += unit_.variables[term.cell].name;
       return;
     }
+    if (term.op == NodeOp::ToWord) return print(at - 1, kTight);
+    if (term.op == NodeOp::Call) return call(at);
     const int own = strength_of(term.op);
     const bool bracket = own <= outer;
     if (bracket) {
@@ -93,6 +97,18 @@ class Printer {
     todo_.push_back({{}, at - 1, inner});
     todo_.push_back({sign_of(term.op)});
     todo_.push_back({{}, left, chain ? own - 1 : inner});
+  }
+
+  void call(std::size_t at) {
+    const InlineCall& called = unit_.calls[terms_[at].call];
+    text_ += called.head;
+    todo_.push_back({")"});
+    std::size_t operand = at - 1;
+    for (std::uint32_t i = called.operands; i > 0; --i) {
+      todo_.push_back({{}, operand, 0});
+      if (i > 1) todo_.push_back({", "});
+      operand -= terms_[operand].size;
+    }
   }
 
   void constant(const Term& term) {

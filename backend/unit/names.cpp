@@ -47,15 +47,18 @@ NameTable::NameTable(const NameRules& rules) : rules_(&rules) {
 std::string NameTable::spelled(std::string_view name) const {
   std::string text;
   for (const char c : name) {
-    const bool plain = is_letter(c) || is_digit(c);
+    const bool plain =
+        is_letter(c) || is_digit(c) || (c == '_' && rules_->plain_underscores);
     if (plain) {
       text += c;
     } else if (!text.empty() && text.back() != '_') {
       text += '_';
     }
   }
-  while (!text.empty() && text.back() == '_') text.pop_back();
-  if (text.empty() || !is_letter(text.front())) text.insert(0, "v");
+  const bool any = rules_->plain_underscores;
+  while (!any && !text.empty() && text.back() == '_') text.pop_back();
+  const bool begins = !text.empty() && (is_letter(text[0]) || text[0] == '_');
+  if (!begins) text.insert(0, "v");
   if (rules_->longest != 0 && text.size() > rules_->longest) {
     text.resize(rules_->longest);
     while (text.back() == '_') text.pop_back();

@@ -14,7 +14,8 @@ struct NameRules {
   /// Words that are no names, with a blank between two.
   std::string_view reserved;
   bool ignores_case = true;
-  std::size_t longest = 0;  // 0: any length
+  bool plain_underscores = false;  // any number of them, at any place
+  std::size_t longest = 0;         // 0: any length
 };
 
 /// Gives every variable of a target a name of its own: the source's where the

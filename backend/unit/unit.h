@@ -22,13 +22,15 @@ using BlockId = Id<struct BlockTag>;
 
 /// A node of an expression in postorder. Its operands stand right before it;
 /// `size` counts the nodes of its subtree. Only operators that every target
-/// can spell: no Call, Branch, Wrap16, ToBit, ToWord.
+/// can spell: no Branch, Wrap16, ToBit; Call and ToWord only where a target has
+/// calls in expressions, and bits that count as 0 and 1.
 struct Term {
   NodeOp op = NodeOp::Constant;
   Type type = Type::Bit;
   std::uint32_t size = 1;
   std::int64_t value = 0;  // Constant
   CellId cell;             // Read: of Unit::variables
+  std::uint32_t call = 0;  // Call: of Unit::calls
 };
 using Terms = std::vector<Term>;
 
@@ -60,6 +62,12 @@ struct Block {
   std::string source;     // the element of the source: "T(0)"; may be empty
 };
 
+/// `T(0, 2, ` and how many operands follow.
+struct InlineCall {
+  std::string head;
+  std::uint32_t operands = 0;
+};
+
 struct Argument {
   CellId pin;
   Terms value;
@@ -80,6 +88,7 @@ struct Unit {
   std::string name;
   Arena<CellId, Variable> variables;
   Arena<BlockId, Block> blocks;
+  std::vector<InlineCall> calls;
   std::vector<Statement> statements;
   std::vector<StateRelation> relations;
   NameTable names;  // all that are taken

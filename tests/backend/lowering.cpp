@@ -6,7 +6,10 @@
 #include <sstream>
 
 #include "analysis/property.h"
+#include "backend/ascii/write.h"
 #include "backend/il_iec/write.h"
+#include "backend/il_mitsubishi/write.h"
+#include "backend/script/write.h"
 #include "backend/st/write.h"
 #include "frontend/recognise.h"
 #include "smt/translation.h"
@@ -16,6 +19,9 @@ namespace rung {
 const std::vector<WrittenLanguage>& written_languages() {
   static const std::vector<WrittenLanguage> kAll = {
       {"il-iec", lower_to_il_iec},
+      {"script", lower_to_script},
+      {"il-mitsubishi", lower_to_il_mitsubishi},
+      {"ascii", lower_to_ascii},
   };
   return kAll;
 }

@@ -22,6 +22,9 @@ struct Refused {
 };
 const std::map<std::string_view, Refused> kRefused = {
     {"il-iec", {1, 31, 14}},
+    {"script", {0, 0, 0}},
+    {"il-mitsubishi", {16, 94, 81}},
+    {"ascii", {15, 94, 77}},
 };
 constexpr std::size_t kRandom = 100;
 

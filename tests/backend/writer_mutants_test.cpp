@@ -21,6 +21,13 @@ constexpr const char* kYun =
     "y0 = T(0, 0.2, pin2) || TR(0, pin3);\n"
     "y1 = C(0, 3, pin4);\n"
     "y2 = CR(0, pin5) || y1 != y0;\n";
+constexpr const char* kBits =
+    "Q0 = (I0 || Q0) && !I1;\n"
+    "Q3 = Q1 && (I4 || I5 && !I6) || Q0 && I2;\n"
+    "Q1 = !I3;\n";
+constexpr const char* kTimers =
+    "Q1 = T(0, 0.2, I0 && !I2);\n"
+    "Q2 = TOF(1, 0.3, I3);\n";
 constexpr const char* kEdges =
     "postfix 1\ndialect sim\nevaluation strict\nscan 1..100 ms\n"
     "input bit a\noutput bit q\noutput bit r\nelement E(0) edge\n"
@@ -66,6 +73,28 @@ const Mistake kMistakes[] = {
     {"il-iec", kYun, "R := pin5", "CU := pin5"},
     {"il-iec", kYun, "R := FALSE, ", ""},
     {"il-iec", kEdges, "ST   E_1_last", "STN  E_1_last"},
+    // Of a script.
+    {"script", kSim, "!I1", "I1"},
+    {"script", kSim, "(I4 || !I5)", "I4 || !I5"},
+    {"script", kSim, "T(0, 0.2", "T(0, 0.201"},
+    {"script", kSim, "T(1, 1,", "T(0, 1,"},
+    {"script", kSim, "false, I1", "I1, false"},
+    {"script", kYun, "TR(0, pin3)", "TR(1, pin3)"},
+    {"script", kYun, "C(0, 3", "C(0, 4"},
+    {"script", kEdges, "E_0_last = a;", "E_0_last = !a;"},
+    // A list of the FX family.
+    {"il-mitsubishi", kBits, "ANI  X1", "AND  X1"},
+    {"il-mitsubishi", kBits, "ORB\n", "ANB\n"},
+    {"il-mitsubishi", kBits, "LDI  X3\n", "LD   X3\n"},
+    {"il-mitsubishi", kBits, "OR   Y0\n", ""},
+    {"il-mitsubishi", kTimers, "T0 K2", "T0 K3"},
+    {"il-mitsubishi", kTimers, "OUT  T1", "OUT  T2"},
+    // A drawing.
+    {"ascii", kBits, "[/]", "[ ]"},
+    {"ascii", kBits, "I6", "I5"},
+    {"ascii", kBits, "Q0      I2", "I3      I2"},
+    {"ascii", kTimers, "200ms", "201ms"},
+    {"ascii", kTimers, "| TOF |", "| TON |"},
 };
 
 class WriterMutants : public testing::TestWithParam<Mistake> {};
@@ -85,7 +114,7 @@ TEST_P(WriterMutants, AreNoticed) {
     const std::size_t at = text.find(mistake.from);
     ASSERT_NE(at, std::string::npos) << text;
     text.replace(at, std::string(mistake.from).size(), mistake.to);
-    const std::string found = validate(language, *source, *lowered.written);
+    const std::string found = validate(language, *source, *lowered.written, 3);
     EXPECT_EQ(found.substr(0, 11), "different: ") << found << "\n" << text;
     return;
   }

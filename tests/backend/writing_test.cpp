@@ -125,7 +125,7 @@ TEST(WritingIec, RefusesWhatDoesNotFit) {
     EXPECT_TRUE(contains(said, "RP084 ") && contains(said, words)) << said;
   };
   refused("N = N + 1; Q0 = N > 3;\n", "`N` may leave -32768..32767");
-  refused("Q0 = IW0 * 40000 > 7;\n", "the constant 40000 does not fit");
+  refused("Q0 = IW0 * 40000 > 7;\n", "the constant 40000 is outside of");
   refused("Q0 = IW0 * 2 > 7;\n", "this may leave -32768..32767");
   refused("Q0 = C(0, 3, I0, I1, false);\n", "counts down without a bound");
   refused("Q0 = C(0, 656, I0, false, I1);\n", "the count 656 is too large");

@@ -1,0 +1,191 @@
+#include "backend/unit/elements_ladder.h"
+
+#include <utility>
+
+#include "backend/unit/elements_common.h"
+
+namespace rung::backend {
+namespace {
+
+using Name = StateRelation::Name;
+
+class LadderElements : public MappedElements {
+ public:
+  LadderElements(const LadderTimers& timers, std::string_view language)
+      : timers_(timers), language_(language) {}
+
+  Terms call(UnitBuilder& builder, const ElementCall& call,
+             std::vector<Terms> arguments) override {
+    const std::string_view kind =
+        builder.program().instances[call.instance].kind->id;
+    Use& use = use_of(call);
+    const bool refused = is_timer(kind) && !use.block.has_value();
+    if (call.operation->reads || !knows(kind) || refused) {
+      if (call.operation->reads) {
+        builder.fail(call.where, std::string(language_) + " have no `" +
+                                     std::string(call.operation->name) + "`");
+      }
+      return constant_term(Type::Bit, 0);
+    }
+    if (kind == "sr" || kind == "rs") {
+      return builder.result_of(
+          call, latch_as_bit(builder, use, kind == "sr", arguments));
+    }
+    if (kind == "timer-yun") return timer_yun(builder, call, arguments[0]);
+    if (kind == "timer-sim" || kind == "ton" || kind == "tp") {
+      return timer(builder, call, kind, arguments[0]);
+    }
+    if (kind == "timer-off-sim" || kind == "tof") {
+      return timers_.all_of_iec ? timer(builder, call, kind, arguments[0])
+                                : off_delay(builder, call, arguments[0]);
+    }
+    return edge_as_bit(builder, call, use, arguments[0]);
+  }
+
+ private:
+  static bool is_timer(std::string_view kind) {
+    return kind == "timer-sim" || kind == "timer-off-sim" ||
+           kind == "timer-yun" || kind == "ton" || kind == "tof" ||
+           kind == "tp";
+  }
+  bool knows(std::string_view kind) const {
+    if (kind == "tp") return timers_.all_of_iec;
+    return is_timer(kind) || kind == "edge" || kind == "r-trig" ||
+           kind == "f-trig" || kind == "sr" || kind == "rs";
+  }
+
+  void declare_instance(UnitBuilder& builder, const Instance& instance,
+                        Use& use) override {
+    const std::string_view kind = instance.kind->id;
+    if (!knows(kind)) {
+      return builder.fail(instance.where,
+                          std::string(language_) + " have nothing for `" +
+                              instance.name + "`, a " + std::string(kind));
+    }
+    if (!is_timer(kind)) return add_state(builder, instance, use, "last");
+    if (use.presets.size() > 1) {
+      return builder.fail(instance.where,
+                          "`" + instance.name +
+                              "` has several presets: that of a timer of " +
+                              std::string(language_) + " is fixed");
+    }
+    if (timers_.one_call && use.calls > 1) {
+      return builder.fail(instance.where,
+                          "`" + instance.name +
+                              "` is executed in several places: a timer of " +
+                              std::string(language_) + " stands in one");
+    }
+    const bool off = kind == "timer-off-sim" || kind == "tof";
+    std::string_view type = off && timers_.all_of_iec ? "TOF" : "TON";
+    if (kind == "tp") type = "TP";
+    if (kind == "timer-yun") add_state(builder, instance, use, "started");
+    if (off && !timers_.all_of_iec) add_state(builder, instance, use, "out");
+    use.block = builder.add_block(type, instance);
+    relate(builder, instance, use, off);
+  }
+
+  void relate(UnitBuilder& builder, const Instance& instance, const Use& use,
+              bool off) const {
+    const std::string_view kind = instance.kind->id;
+    const bool sim = kind == "timer-sim" || kind == "timer-off-sim";
+    const std::string name = instance.name + ".";
+    const auto add = [&](std::string formula, std::vector<Name> names) {
+      builder.unit().relations.push_back(
+          {std::move(formula), std::move(names)});
+    };
+    const auto variable = [&](std::string_view state) {
+      return builder.unit().variables[use.states.at(state)].name;
+    };
+    const Name on = {"n", name + "on", true};
+    const Name clock = {"f", name + "elapsed", true};
+    const Name elapsed = {"e", name + "elapsed"};
+    add("!h", {{"h", name + "held", true}});
+    add("n || f == 0", {on, clock});
+    if (off && sim && timers_.all_of_iec) {
+      relate_timer(builder, instance.name, true, true,
+                   use.presets.empty() ? 0 : *use.presets.begin());
+    } else if (off && sim) {
+      const Name out = {"o", name + "out"};
+      const Name armed = {"a", name + "armed"};
+      add("o <-> k", {out, {"k", variable("out"), true}});
+      add("!o || a || n", {out, armed, on});
+      add("!n || !a", {on, armed});
+      add("!o || a || e == f", {out, armed, elapsed, clock});
+    } else if (!off) {
+      const Name started = {"s", name + (kind == "ton" ? "on" : "started")};
+      add("s <-> n", {started, on});
+      add("e == f", {elapsed, clock});
+      add("s || e == 0", {started, elapsed});
+      if (kind == "timer-yun") {
+        add("s <-> k", {started, {"k", variable("started"), true}});
+      }
+    }
+  }
+
+  /// The clock runs while `input` is true; its output.
+  Terms run(UnitBuilder& builder, const ElementCall& call, Terms input,
+            std::int64_t milliseconds) {
+    Use& use = use_of(call);
+    const std::string why = timers_.refuse(milliseconds);
+    if (!why.empty()) builder.fail(call.where, why);
+    if (timers_.plain_input) input = builder.kept(std::move(input));
+    builder.call(use.block, {{pin_cell(builder, use, "IN"), std::move(input)}},
+                 milliseconds);
+    return pin(builder, use, "Q");
+  }
+
+  Terms timer(UnitBuilder& builder, const ElementCall& call,
+              std::string_view kind, const Terms& input) {
+    // Without a delay the output is the input, but for one dialect.
+    if (call.parameter == 0 && kind == "timer-sim") {
+      return constant_term(Type::Bit, 1);
+    }
+    if (call.parameter == 0) {
+      return kind == "tp" ? constant_term(Type::Bit, 0) : input;
+    }
+    return builder.result_of(call, run(builder, call, input, call.parameter));
+  }
+
+  Terms off_delay(UnitBuilder& builder, const ElementCall& call,
+                  const Terms& argument) {
+    if (call.parameter == 0) return argument;
+    Use& use = use_of(call);
+    const Terms input = builder.kept(argument);
+    const Terms out = state(use, "out");
+    const Terms over =
+        run(builder, call, both(negated(input), out), call.parameter);
+    builder.assign(use.states.at("out"),
+                   either(input, both(out, negated(over))));
+    return builder.result_of(call, out);
+  }
+
+  /// Runs on until TR resets it; done when more than its time has passed.
+  Terms timer_yun(UnitBuilder& builder, const ElementCall& call,
+                  const Terms& argument) {
+    Use& use = use_of(call);
+    const Terms input = builder.kept(argument);
+    const Terms started = state(use, "started");
+    const bool resets = call.operation->resets;
+    builder.assign(use.states.at("started"), resets
+                                                 ? both(started, negated(input))
+                                                 : either(started, input));
+    const std::int64_t preset =
+        resets ? builder.program().instances[call.instance].largest_parameter
+               : call.parameter;
+    const Terms done = run(builder, call, started, preset + 1);
+    if (resets) return input;
+    return builder.result_of(call, both(input, done));
+  }
+
+  LadderTimers timers_;
+  std::string_view language_;
+};
+
+}  // namespace
+
+std::unique_ptr<Elements> ladder_elements(const LadderTimers& timers,
+                                          std::string_view language) {
+  return std::make_unique<LadderElements>(timers, language);
+}
+
+}  // namespace rung::backend
