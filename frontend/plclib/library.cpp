@@ -175,7 +175,8 @@ std::optional<Value> Machine::target_value(const Argument& argument) {
   }
   Pin* const pin = pin_of(argument);
   if (pin == nullptr) return std::nullopt;
-  if (modes_unknown_ && estimates_.written_pins.insert(pin->name).second) {
+  if (modes_unknown_ &&
+      estimates_.written_pins.insert(std::string(pin->name)).second) {
     estimates_.grown = true;
   }
   return sample(*pin, false, argument.where);

@@ -318,8 +318,9 @@ Machine::Pin::Mode Machine::mode_of(const Pin& pin) const {
   if (pin.mode != Pin::Mode::Unknown || !modes_unknown_) {
     return pin.mode == Pin::Mode::Output ? Pin::Mode::Output : Pin::Mode::Input;
   }
-  return estimates_.written_pins.contains(pin.name) ? Pin::Mode::Output
-                                                    : Pin::Mode::Input;
+  return estimates_.written_pins.contains(std::string(pin.name))
+             ? Pin::Mode::Output
+             : Pin::Mode::Input;
 }
 
 Value Machine::input_cell(std::string_view name, CellShape shape,
@@ -364,7 +365,8 @@ Value Machine::sample(Pin& pin, bool analog, SourceRange where) {
 
 void Machine::write_pin(Pin& pin, Value value, bool pulse_width,
                         SourceRange where) {
-  if (estimates_.written_pins.insert(pin.name).second && modes_unknown_) {
+  if (estimates_.written_pins.insert(std::string(pin.name)).second &&
+      modes_unknown_) {
     estimates_.grown = true;
   }
   if (mode_of(pin) != Pin::Mode::Output && !modes_unknown_) {

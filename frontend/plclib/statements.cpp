@@ -242,8 +242,8 @@ std::string_view Machine::inner_guard(Value condition, SourceRange where) {
   if (!writer_.guard().empty()) {
     Expression outer;
     push_leaf(outer, AstOp::Name, writer_.guard(), where);
-    condition = Arithmetic::conjunction(Arithmetic::bit(outer, where),
-                                        std::move(condition));
+    condition =
+        Arithmetic::conjunction(Arithmetic::bit(outer, where), condition);
   }
   return writer_.keep("if", kBitCell, condition.nodes, where);
 }

@@ -398,9 +398,9 @@ std::optional<Value> Arithmetic::shifted(std::string_view op, Value a,
   }
   if (a.range.low < 0) return refuse("a negative number is shifted");
   const CType type = common(a.type, CType::Int);
-  Value factor = number(std::int64_t{1} << *count, type, where);
+  const Value factor = number(std::int64_t{1} << *count, type, where);
   if (op == ">>") return divided("/", std::move(a), factor, type, where);
-  return arithmetic("*", std::move(a), std::move(factor), type, where);
+  return arithmetic("*", std::move(a), factor, type, where);
 }
 
 std::optional<Value> Arithmetic::compared(AstOp op, Value a, Value b,
@@ -428,9 +428,8 @@ Value Arithmetic::choose(Value condition, Value then, Value otherwise,
   const Value choice = kept(truth(std::move(condition)), "choice");
   const CType type = common(then.type, otherwise.type);
   if (!then.word && !otherwise.word) {
-    Value result =
-        disjunction(conjunction(choice, std::move(then)),
-                    conjunction(negation(choice), std::move(otherwise)));
+    Value result = disjunction(conjunction(choice, then),
+                               conjunction(negation(choice), otherwise));
     result.range = {0, 1};
     result.type = type;
     return result;
