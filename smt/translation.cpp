@@ -33,7 +33,7 @@ class Matching {
       return "the scan interval differs";
     }
     for (const CellId id : ids_of(source_.cells)) {
-      const std::string lost = match_cell(id, options);
+      std::string lost = match_cell(id, options);
       if (!lost.empty()) return lost;
     }
     for (const CellId id : ids_of(written_.cells)) {
@@ -65,8 +65,8 @@ class Matching {
     const auto found = by_name_.find(name);
     if (found == by_name_.end()) {
       // Without it the other side cannot depend on it: that is compared.
-      const bool may_be = cell.made || !used_[id.index()] ||
-                          cell.role == CellRole::Input;
+      const bool may_be =
+          cell.made || !used_[id.index()] || cell.role == CellRole::Input;
       return may_be ? "" : "`" + cell.name + "` is lost";
     }
     Cell& other = written_.cells[found->second];

@@ -30,7 +30,7 @@ Terms MappedElements::latch_as_bit(UnitBuilder& builder, Use& use,
                                    const std::vector<Terms>& arguments) {
   const Terms& set = arguments[0];
   const Terms kept = negated(arguments[1]);
-  const Terms last = state(use, "last");
+  Terms last = state(use, "last");
   builder.assign(use.states.at("last"), set_dominates
                                             ? either(set, both(kept, last))
                                             : both(either(set, last), kept));

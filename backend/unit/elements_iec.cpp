@@ -254,7 +254,7 @@ class IecElements : public MappedElements {
   Terms timer_yun(UnitBuilder& builder, const ElementCall& call,
                   const std::vector<Terms>& arguments) {
     Use& use = use_of(call);
-    const Terms input = builder.kept(arguments[0]);
+    Terms input = builder.kept(arguments[0]);
     const CellId started = use.states.at("started");
     const bool resets = call.operation->resets;
     builder.assign(
@@ -299,14 +299,14 @@ class IecElements : public MappedElements {
     Use& use = use_of(call);
     const bool resets = call.operation->resets;
     if (!use.block.has_value()) {
-      const Terms input = builder.kept(arguments[0]);
+      Terms input = builder.kept(arguments[0]);
       return resets ? clear(builder, use, input)
                     : count(builder, call, use, input);
     }
     const CellId reset = pin_cell(builder, use, "R");
     if (resets) {
       // Without CU: the edge memory stays as it is.
-      const Terms input = builder.kept(arguments[0]);
+      Terms input = builder.kept(arguments[0]);
       builder.call(use.block, {{reset, input}}, {});
       return input;
     }
@@ -384,7 +384,7 @@ class IecElements : public MappedElements {
       builder.assign_when(reset, value, constant_term(Type::Word, 0));
     }
     builder.assign(use.states.at("last"), std::move(next));
-    const Terms result = builder.kept(std::move(done));
+    Terms result = builder.kept(std::move(done));
     // It never stands far above its count.
     builder.assign_when(compared(Greater, use, last), value,
                         constant_term(Type::Word, call.parameter + 1));
@@ -399,7 +399,7 @@ class IecElements : public MappedElements {
                    {});
       return builder.result_of(call, pin(builder, use, "Q"));
     }
-    const Terms input = builder.kept(arguments[0]);
+    Terms input = builder.kept(arguments[0]);
     const Terms last = state(use, "last");
     const bool rising = call.operation->name == "RISE";
     const CellId result_cell = builder.kept_cell(

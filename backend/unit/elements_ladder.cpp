@@ -163,7 +163,7 @@ class LadderElements : public MappedElements {
   Terms timer_yun(UnitBuilder& builder, const ElementCall& call,
                   const Terms& argument) {
     Use& use = use_of(call);
-    const Terms input = builder.kept(argument);
+    Terms input = builder.kept(argument);
     const Terms started = state(use, "started");
     const bool resets = call.operation->resets;
     builder.assign(use.states.at("started"), resets

@@ -73,7 +73,10 @@ class Printer {
       text_ += unit_.variables[term.cell].name;
       return;
     }
-    if (term.op == NodeOp::ToWord) return print(at - 1, kTight);
+    if (term.op == NodeOp::ToWord) {
+      todo_.push_back({{}, at - 1, kTight});
+      return;
+    }
     if (term.op == NodeOp::Call) return call(at);
     const int own = strength_of(term.op);
     const bool bracket = own <= outer;
