@@ -19,11 +19,10 @@ class Matching {
     for (const CellId id : ids_of(written.cells)) {
       by_name_.emplace(written.cells[id].name, id);
     }
-    used_.resize(source.cells.size(), false);
-    for (const Node& node : source.nodes) {
-      if (node.op == NodeOp::Read) used_[node.cell.index()] = true;
+    written_by_rung_.resize(source.cells.size(), false);
+    for (const Rung& rung : source.rungs) {
+      written_by_rung_[rung.target.index()] = true;
     }
-    for (const Rung& rung : source.rungs) used_[rung.target.index()] = true;
   }
 
   /// The first declaration that is lost or changed; empty: none.
@@ -65,8 +64,8 @@ class Matching {
     const auto found = by_name_.find(name);
     if (found == by_name_.end()) {
       // Without it the other side cannot depend on it: that is compared.
-      const bool may_be =
-          cell.made || !used_[id.index()] || cell.role == CellRole::Input;
+      const bool may_be = cell.made || (cell.role != CellRole::Output &&
+                                        !written_by_rung_[id.index()]);
       return may_be ? "" : "`" + cell.name + "` is lost";
     }
     Cell& other = written_.cells[found->second];
@@ -97,7 +96,7 @@ class Matching {
   Names to_;
   std::unordered_map<std::string_view, CellId> by_name_;
   std::unordered_set<CellId> taken_;
-  std::vector<bool> used_;  // by cell of the source: a rung speaks of it
+  std::vector<bool> written_by_rung_;  // by cell of the source
 };
 
 }  // namespace
