@@ -29,7 +29,15 @@ struct Shape {
   NodeOp op = NodeOp::Constant;
   Type operands = Type::Bit;
   Type result = Type::Bit;
+  std::int64_t value = 0;  // of Wrap
 };
+
+constexpr std::array<std::pair<std::string_view, std::int64_t>, 5> kWraps = {
+    {{"wrap8", -8},
+     {"wrap32", -32},
+     {"wrap_u8", 8},
+     {"wrap_u16", 16},
+     {"wrap_u32", 32}}};
 
 std::optional<Shape> shape_of(const AstNode& node) {
   using enum Type;
@@ -66,6 +74,9 @@ std::optional<Shape> shape_of(const AstNode& node) {
       return Shape{NodeOp::Negate, Word, Word};
     case AstOp::Call:
       if (node.text == "wrap16") return Shape{NodeOp::Wrap16, Word, Word};
+      for (const auto& [name, bits] : kWraps) {
+        if (node.text == name) return Shape{NodeOp::Wrap, Word, Word, bits};
+      }
       if (node.text == "to_word") return Shape{NodeOp::ToWord, Bit, Word};
       if (node.text == "to_bit") return Shape{NodeOp::ToBit, Word, Bit};
       return std::nullopt;
@@ -332,6 +343,7 @@ class DeclaredBuilder {
                                         .type = shape.result,
                                         .a = operands_[first],
                                         .b = two ? right : 0,
+                                        .value = shape.value,
                                         .where = node.where});
     operands_.resize(first);
     operands_.push_back(built);

@@ -255,6 +255,7 @@ class Builder {
       case NodeOp::Divide:
       case NodeOp::Negate:
       case NodeOp::Wrap16:
+      case NodeOp::Wrap:
       case NodeOp::ToWord:
       case NodeOp::ToBit:
         return word_term(node, executed);
@@ -284,6 +285,9 @@ class Builder {
         return exprs().negate(a);
       case NodeOp::Wrap16:
         return exprs().wrap16(a);
+      case NodeOp::Wrap:
+        return exprs().wrap(a, node.value < 0 ? -node.value : node.value,
+                            node.value < 0);
       case NodeOp::ToWord:
         return exprs().to_word(a);
       default:

@@ -4,6 +4,7 @@
 #include "analysis/element.h"
 #include "analysis/elements_iec.h"
 #include "analysis/elements_ldmicro.h"
+#include "analysis/elements_matiec.h"
 #include "analysis/elements_melsec.h"
 #include "analysis/elements_plclib.h"
 #include "analysis/elements_s7.h"
@@ -250,13 +251,14 @@ constexpr std::array<ElementKind, 6> kScriptKinds = {{
 
 constexpr auto kKinds = [] {
   std::array<ElementKind, kScriptKinds.size() + iec::kKinds.size() +
-                              melsec::kKinds.size() +
+                              matiec::kKinds.size() + melsec::kKinds.size() +
                               ldmicro_elements::kKinds.size() +
                               plclib::kKinds.size() + s7::kKinds.size()>
       all = {};
   std::size_t count = 0;
   for (const ElementKind& kind : kScriptKinds) all[count++] = kind;
   for (const ElementKind& kind : iec::kKinds) all[count++] = kind;
+  for (const ElementKind& kind : matiec::kKinds) all[count++] = kind;
   for (const ElementKind& kind : melsec::kKinds) all[count++] = kind;
   for (const ElementKind& kind : ldmicro_elements::kKinds) all[count++] = kind;
   for (const ElementKind& kind : plclib::kKinds) all[count++] = kind;

@@ -326,6 +326,28 @@ ExprId ExprArena::wrap16(ExprId a) {
                  .high = kMax16});
 }
 
+ExprId ExprArena::wrap_signed(ExprId a, std::int64_t bits) {
+  if (bits == 16) return wrap16(a);
+  if (bits == 8) return divide(wrap16(multiply(wrap16(a), word(256))), 256);
+  // The upper half, rounded down, and the lower one, from 0.
+  constexpr std::int64_t kHalf = 1 << 16;
+  const std::int64_t low = exprs_[a.index()].low;
+  const std::int64_t lift = low < 0 ? -(low / kHalf) + 1 : 0;
+  const ExprId raised = add(a, word(lift * kHalf));
+  const ExprId upper = subtract(divide(raised, kHalf), word(lift));
+  const ExprId lower = add(wrap16(add(a, word(-kHalf / 2))), word(kHalf / 2));
+  return add(multiply(wrap16(upper), word(kHalf)), lower);
+}
+
+ExprId ExprArena::wrap(ExprId a, std::int64_t bits, bool has_sign) {
+  const std::int64_t half = std::int64_t{1} << (bits - 1);
+  const std::int64_t lowest = has_sign ? -half : 0;
+  const Expr& expr = exprs_[a.index()];
+  if (expr.low >= lowest && expr.high < lowest + 2 * half) return a;
+  if (has_sign) return wrap_signed(a, bits);
+  return add(wrap_signed(add(a, word(-half)), bits), word(half));
+}
+
 ExprId ExprArena::to_word(ExprId bit) { return ite(bit, word(1), word(0)); }
 
 ExprId ExprArena::to_bit(ExprId word_id) {

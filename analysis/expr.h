@@ -81,6 +81,8 @@ class ExprArena {
   ExprId multiply(ExprId a, ExprId b);
   ExprId divide(ExprId a, std::int64_t divisor);  // divisor is not 0
   ExprId wrap16(ExprId a);
+  /// To an integer of 8, 16 or 32 bits, two's complement; made of wrap16().
+  ExprId wrap(ExprId a, std::int64_t bits, bool has_sign);
   ExprId to_word(ExprId bit);
   ExprId to_bit(ExprId word);
   ExprId minimum(ExprId a, ExprId b);
@@ -96,6 +98,7 @@ class ExprArena {
   ExprId intern(Expr expr);
   ExprId bit_ite(ExprId condition, ExprId then, ExprId otherwise);
   bool is_number(ExprId id, std::int64_t value) const;
+  ExprId wrap_signed(ExprId a, std::int64_t bits);
   ExprId chosen_sum(ExprId a, ExprId b);
   ExprId chosen_product(ExprId choice, ExprId other);
   void grow();

@@ -64,6 +64,7 @@ enum class NodeOp : std::uint8_t {
   Divide,  // truncates towards zero; the divisor is a non-zero constant
   Negate,
   Wrap16,  // a word to a 16-bit signed integer, two's complement
+  Wrap,    // the same to `value` bits, signed where `value` is negative
   ToWord,  // bit to 0 or 1
   ToBit,   // word != 0
   Call,    // an element operation: Program::calls[call]
@@ -86,7 +87,7 @@ struct Node {
   std::uint32_t a = 0;       // operands: indices into Program::nodes
   std::uint32_t b = 0;       //
   std::uint32_t target = 0;  // Branch
-  std::int64_t value = 0;    // Constant
+  std::int64_t value = 0;    // Constant; Wrap: 8, 16, 32 or their negatives
   CellId cell;               // Read
   CallId call;               // Call
   SourceRange where;

@@ -19,6 +19,14 @@ Word divide(Word a, Word b) {
   return b == -1 ? saturating_subtract(0, a) : a / b;
 }
 
+/// The low bits; of -bits, the uppermost of them is the sign.
+Word wrapped(Word a, Word bits) {
+  const Word modulus = Word{1} << (bits < 0 ? -bits : bits);
+  Word rest = a % modulus;
+  if (rest < 0) rest += modulus;
+  return bits < 0 && rest >= modulus / 2 ? rest - modulus : rest;
+}
+
 // Operators whose value is a function of their operands' values.
 Word compute(NodeOp op, Word a, Word b) {
   switch (op) {
@@ -62,12 +70,13 @@ Word compute(NodeOp op, Word a, Word b) {
     case NodeOp::Read:
     case NodeOp::Call:
     case NodeOp::Branch:
+    case NodeOp::Wrap:
       break;  // run_rung() has them
   }
   return 0;
 }
 
-enum class Step : std::uint8_t { Constant, Read, Call, Branch, Compute };
+enum class Step : std::uint8_t { Constant, Read, Call, Branch, Wrap, Compute };
 
 // A node of Program::nodes, with what the loop needs and no more.
 struct Instruction {
@@ -75,7 +84,7 @@ struct Instruction {
   NodeOp op = NodeOp::Constant;
   bool skip_when = false;
   std::uint32_t a = 0;  // operand; Read: cell; Call: call
-  std::uint32_t b = 0;  // operand; Branch: target
+  std::uint32_t b = 0;  // operand; Branch: target; Wrap: its bits
 };
 
 struct RungCode {
@@ -108,6 +117,11 @@ Instruction compile_node(const Node& node) {
   }
   if (node.op == NodeOp::Branch) {
     return {Step::Branch, node.op, node.skip_when, node.a, node.target};
+  }
+  if (node.op == NodeOp::Wrap) {
+    const auto bits = static_cast<std::int32_t>(node.value);
+    return {Step::Wrap, node.op, false, node.a,
+            static_cast<std::uint32_t>(bits)};
   }
   return {Step::Compute, node.op, false, node.a, node.b};
 }
@@ -231,6 +245,9 @@ void Simulator::Impl::run_rung(const RungCode& rung) {
         break;
       case Step::Compute:
         values[i] = compute(node.op, values[node.a], values[node.b]);
+        break;
+      case Step::Wrap:
+        values[i] = wrapped(values[node.a], static_cast<std::int32_t>(node.b));
         break;
     }
   }

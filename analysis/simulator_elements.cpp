@@ -5,6 +5,7 @@
 
 #include "analysis/simulator_elements_iec.h"
 #include "analysis/simulator_elements_ldmicro.h"
+#include "analysis/simulator_elements_matiec.h"
 #include "analysis/simulator_elements_melsec.h"
 #include "analysis/simulator_elements_plclib.h"
 #include "analysis/simulator_elements_s7.h"
@@ -176,6 +177,7 @@ std::span<const SimulatedDialect> dialects() {
   static const std::array all = {
       SimulatedDialect{kOperations, kShapes},
       simulated_iec(),
+      simulated_matiec(),
       simulated_melsec(),
       simulated_ldmicro(),
       simulated_plclib(),

@@ -84,6 +84,7 @@ ReadOptions choose_reading(const Input& input, const Language& language,
   check_dialect(input, language, options, sink);
   reading.semantics = find_semantics(options.semantics);
   reading.stable_inputs = options.stable_inputs;
+  reading.pou = options.pou;
   reading.dialect =
       options.dialect.empty() ? options.semantics : options.dialect;
   return reading;

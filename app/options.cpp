@@ -166,6 +166,8 @@ void add_common(CLI::App& app, RawOptions& raw, Options& options) {
                  "what the language means, as a tool has it: yun, sim, iec...");
   app.add_flag("--stable-inputs", options.stable_inputs,
                "inputs do not change in a scan, also where each read samples");
+  app.add_option("--pou", options.pou,
+                 "the unit that is the program (languages of IEC 61131-3)");
   app.add_option("--dialect", options.dialect, "of scripts: yun, sim");
   app.add_option("--language", options.language,
                  "of the input; else recognised by its content");

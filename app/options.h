@@ -31,6 +31,7 @@ struct Options {
   std::string dialect;
   std::string language;
   bool stable_inputs = false;
+  std::string pou;
   bool sweep = false;  // prove
   std::string props;
   std::vector<std::string> properties;  // --property; empty: all

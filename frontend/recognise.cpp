@@ -12,6 +12,7 @@
 #include "frontend/plcopen/reader.h"
 #include "frontend/postfix/reader.h"
 #include "frontend/script/reader.h"
+#include "frontend/st/reader.h"
 #include "frontend/stl/reader.h"
 
 namespace rung {
@@ -84,16 +85,6 @@ bool is_plclib(std::string_view text) {
   });
 }
 
-bool is_structured_text(std::string_view text) {
-  const std::string_view line = first_line(text);
-  for (const std::string_view word :
-       {"PROGRAM", "FUNCTION_BLOCK", "FUNCTION", "VAR", "VAR_INPUT",
-        "CONFIGURATION", "TYPE"}) {
-    if (starts_word(line, word)) return true;
-  }
-  return false;
-}
-
 /// Archives and projects of tools that no reader knows yet: without these two
 /// lines their texts would be taken for scripts and refused for their signs.
 bool is_classicladder(std::string_view text) {
@@ -108,7 +99,8 @@ bool is_script(std::string_view) { return true; }
 
 using Names = std::string_view;
 constexpr std::array<Names, 2> kScriptPresets = {"yun", "sim"};
-constexpr std::array<Names, 1> kIecPresets = {"iec"};
+constexpr std::array<Names, 4> kIecPresets = {"iec", "openplc", "beremiz-py2",
+                                              "esbmc"};
 constexpr std::array<Names, 1> kMelsecPresets = {"melsec"};
 constexpr std::array<Names, 1> kS7Presets = {"s7"};
 constexpr std::array<Names, 4> kDrawingPresets = {"openplc", "beremiz-py2",
@@ -120,11 +112,6 @@ constexpr std::array<Names, 2> kPlclibPresets = {"plclib14", "plclib"};
 Ast postfix_reader(const SourceSet& sources, FileId file,
                    const ReadOptions& /*options*/, DiagnosticSink& sink) {
   return read_postfix(sources, file, sink);
-}
-
-Ast il_iec_reader(const SourceSet& sources, FileId file,
-                  const ReadOptions& /*options*/, DiagnosticSink& sink) {
-  return read_il_iec(sources, file, sink);
 }
 
 Ast il_mitsubishi_reader(const SourceSet& sources, FileId file,
@@ -150,8 +137,8 @@ constexpr std::array kLanguages = {
     Language{"il-mitsubishi", kMelsecPresets, is_il_mitsubishi,
              il_mitsubishi_reader},
     Language{"stl", kS7Presets, is_stl, stl_reader},
-    Language{"il-iec", kIecPresets, is_il_iec, il_iec_reader},
-    Language{"st", {}, is_structured_text},
+    Language{"il-iec", kIecPresets, is_il_iec, read_il_iec},
+    Language{"st", kIecPresets, is_structured_text, read_structured_text},
     Language{"ascii", kAsciiPresets, is_ascii_ladder, read_ascii},
     Language{"classicladder", {}, is_classicladder},
     Language{"vovkplc", {}, is_vovkplc},

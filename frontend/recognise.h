@@ -15,6 +15,7 @@ struct ReadOptions {
   const Semantics* semantics = nullptr;  // null: the language's own default
   /// Inputs do not change in a scan, also where the preset samples each read.
   bool stable_inputs = false;
+  std::string_view pou = {};  // the unit that is the program; empty: the file's
 };
 
 /// An input language: its name for --language, how its texts look, and its

@@ -28,18 +28,18 @@ constexpr std::array kPresets = {
               .elements = "s7",
               .summary = "Statement lists as S7-300 and S7-400 execute them."},
     Semantics{.name = "openplc",
-              .elements = "iec",
+              .elements = "matiec",
               .summary = "Drawings as the OpenPLC Editor and Beremiz on Python "
                          "3 compile them: coils as they stand in the file, "
                          "every wire evaluated anew for each coil."},
     Semantics{.name = "beremiz-py2",
-              .elements = "iec",
+              .elements = "matiec",
               .order = CoilOrder::Position,
               .summary = "Drawings as Beremiz on Python 2 compiles them: coils "
                          "by row and column, every wire evaluated anew for "
                          "each coil."},
     Semantics{.name = "esbmc",
-              .elements = "iec",
+              .elements = "esbmc",
               .order = CoilOrder::Snapshot,
               .summary = "Drawings as ESBMC-PLC reads them: the contacts of a "
                          "network see the values from before it."},

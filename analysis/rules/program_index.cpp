@@ -78,6 +78,7 @@ class Indexer {
       case NodeOp::Not:
       case NodeOp::Negate:
       case NodeOp::Wrap16:
+      case NodeOp::Wrap:
       case NodeOp::ToWord:
       case NodeOp::ToBit:
         adopt(i, node.a);

@@ -1,3 +1,5 @@
+#include <cstdlib>
+
 #include "analysis/rules/support.h"
 
 namespace rung {
@@ -28,14 +30,18 @@ Nothing is reported for sums that the ranges of the words keep small enough.
 void check_wraps(RuleRun& run) {
   for (std::uint32_t i = 0; i < run.program.nodes.size(); ++i) {
     const Node& node = run.program.nodes[i];
-    if (node.op != NodeOp::Wrap16) continue;
+    if (node.op != NodeOp::Wrap16 && node.op != NodeOp::Wrap) continue;
     const ExprId fits =
         run.ts.exprs.equal(run.ts.node_value[i], run.ts.node_value[node.a]);
     run.ask(RuleRun::Want::Witness, {fits},
             [i](RuleRun& now, std::span<const RuleRun::Evidence> answers) {
               if (answers[0].answer != RuleRun::Answer::No) return;
-              now.report(now.program.nodes[i].where,
-                         "the result can exceed 16 bits and wraps",
+              const Node& wrap = now.program.nodes[i];
+              const std::int64_t bits =
+                  wrap.op == NodeOp::Wrap16 ? 16 : std::abs(wrap.value);
+              now.report(wrap.where,
+                         "the result can exceed " + std::to_string(bits) +
+                             " bits and wraps",
                          {.help = witness_text(now, answers[0])});
             });
   }

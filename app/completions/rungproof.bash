@@ -4,7 +4,7 @@
 _rungproof() {
   local current=${COMP_WORDS[COMP_CWORD]} previous=${COMP_WORDS[COMP_CWORD-1]}
   local commands="check lint prove equiv lower run render rule"
-  local common="--help --version --format --scan --semantics --stable-inputs --dialect
+  local common="--help --version --format --scan --semantics --stable-inputs --pou --dialect
     --language --props --timeout --engine --jobs --fail-on --color --quiet
     --verbose --property --self-check --recheck --certificates --map"
   local command= word

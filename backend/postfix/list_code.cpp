@@ -116,6 +116,9 @@ class CodeLister {
         return list_operator(at, Opcode::Negate);
       case NodeOp::Wrap16:
         return list_operator(at, Opcode::Wrap16);
+      case NodeOp::Wrap:
+        fail(node.where, "words of 16 bits only are in the format");
+        return list_operator(at, Opcode::Wrap16);
       case NodeOp::ToWord:
         return list_operator(at, Opcode::ToWord);
       case NodeOp::ToBit:

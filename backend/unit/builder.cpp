@@ -27,6 +27,7 @@ std::uint32_t operands_of(NodeOp op) {
     case NodeOp::Not:
     case NodeOp::Negate:
     case NodeOp::Wrap16:
+    case NodeOp::Wrap:
     case NodeOp::ToWord:
     case NodeOp::ToBit:
       return 1;
@@ -204,6 +205,10 @@ void UnitBuilder::check_rung_words(const Rung& rung, std::vector<bool>& wraps) {
     if (through) {
       wraps[node.a] = true;
       if (operands_of(node.op) == 2) wraps[node.b] = true;
+    }
+    if (node.op == NodeOp::Wrap) {
+      fail(node.where, "a word of another width than 16 bits");
+      continue;
     }
     if (node.type == Type::Bit || node.op == NodeOp::Read) continue;
     if (node.op == NodeOp::Divide && profile_.short_circuits) {

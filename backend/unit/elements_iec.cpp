@@ -71,7 +71,7 @@ class IecElements : public MappedElements {
       use.block = builder.add_block("R_TRIG", instance);
     } else if (kind == "edge") {
       add_state("last", Type::Bit);
-    } else if (instance.kind->dialect == "iec") {
+    } else if (instance.kind->is_in("iec")) {
       use.block = builder.add_block(instance.kind->letter, instance);
     } else {
       builder.fail(instance.where, "there is no standard function block for `" +
@@ -126,7 +126,7 @@ class IecElements : public MappedElements {
     const Program& program = builder.program();
     std::map<std::string_view, InstanceId> by_name;
     for (const InstanceId id : ids_of(program.instances)) {
-      if (program.instances[id].kind->dialect != "iec") continue;
+      if (!program.instances[id].kind->is_in("iec")) continue;
       by_name.emplace(program.instances[id].name, id);
     }
     if (by_name.empty()) return;

@@ -20,19 +20,20 @@ constexpr std::array<Pin, 2> kSetInputs = {{{"S1"}, {"R"}}};
 constexpr std::array<Pin, 2> kResetInputs = {{{"S"}, {"R1"}}};
 constexpr std::array<Pin, 1> kLatchOutputs = {{{"Q1"}}};
 
-constexpr std::string_view kBoth = "matiec esbmc";
+constexpr std::string_view kTimers = "matiec esbmc";
+constexpr std::string_view kCounters = "matiec";
 
 constexpr std::array<Block, 10> kBlocks = {{
-    {"CTD", "ctd", kBoth, kDownInputs, kCounterOutputs},
-    {"CTU", "ctu", kBoth, kUpInputs, kCounterOutputs},
-    {"CTUD", "ctud", kBoth, kUpDownInputs, kUpDownOutputs},
+    {"CTD", "ctd", kCounters, kDownInputs, kCounterOutputs},
+    {"CTU", "ctu", kCounters, kUpInputs, kCounterOutputs},
+    {"CTUD", "ctud", kCounters, kUpDownInputs, kUpDownOutputs},
     {"F_TRIG", "f-trig", "esbmc", kTriggerInputs, kTriggerOutputs},
     {"RS", "rs", {}, kResetInputs, kLatchOutputs},
     {"R_TRIG", "r-trig", {}, kTriggerInputs, kTriggerOutputs},
     {"SR", "sr", {}, kSetInputs, kLatchOutputs},
-    {"TOF", "tof", kBoth, kTimerInputs, kTimerOutputs},
-    {"TON", "ton", kBoth, kTimerInputs, kTimerOutputs},
-    {"TP", "tp", kBoth, kTimerInputs, kTimerOutputs},
+    {"TOF", "tof", kTimers, kTimerInputs, kTimerOutputs},
+    {"TON", "ton", kTimers, kTimerInputs, kTimerOutputs},
+    {"TP", "tp", kTimers, kTimerInputs, kTimerOutputs},
 }};
 
 }  // namespace
@@ -45,6 +46,8 @@ std::string Block::element_id(std::string_view dialect) const {
           std::string::npos;
   return std::string(element) + (has_own ? "-" + std::string(dialect) : "");
 }
+
+std::span<const Block> blocks() { return kBlocks; }
 
 const Block* find_block(std::string_view upper_name) {
   const auto* const found = std::find_if(

@@ -29,6 +29,7 @@ struct Block {
   std::string element_id(std::string_view dialect) const;
 };
 
+std::span<const Block> blocks();
 const Block* find_block(std::string_view upper_name);
 std::vector<std::string_view> block_names();
 

@@ -192,8 +192,10 @@ bool Scope::give_enable(Call& call) {
   }
   if (!expansion_->mentions("ENO")) return true;
   Symbol& cell = expansion_->enable_pin(*call.frame, "ENO", call.where);
-  return write(cell, call.enable ? *call.enable : bit(true, call.where),
-               call.where, call.where);
+  const Value on = call.enable ? *call.enable : bit(true, call.where);
+  assign(cell, on.nodes, call.where, call.where);
+  expansion_->set_known(cell, on.constant);
+  return true;
 }
 
 bool Scope::run_block(const Symbol& instance, SourceRange where) {
@@ -217,7 +219,7 @@ bool Scope::run_block(const Symbol& instance, SourceRange where) {
   }
   for (const Pin& pin : block.outputs) {
     const bool first = pin.name == block.outputs.front().name;
-    if (!first && !expansion_->mentions(pin.name)) continue;
+    if (!expansion_->has_cell(block, pin)) continue;
     const std::string_view operation =
         first ? block.name
               : writer().keep_text(std::string(block.name) + "." +

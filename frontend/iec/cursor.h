@@ -1,6 +1,5 @@
 #pragma once
 
-#include <algorithm>
 #include <cstddef>
 #include <string>
 #include <string_view>
@@ -9,21 +8,24 @@
 
 namespace rung::iec {
 
-/// A place in the tokens.
+/// A place in the tokens, or in a part of them: behind it there is End.
 class Cursor {
  public:
-  explicit Cursor(const TokenList& list) : list_(&list) {}
+  explicit Cursor(const TokenList& list)
+      : Cursor(list, 0, list.tokens.size() - 1) {}
+  Cursor(const TokenList& list, std::size_t begin, std::size_t end)
+      : list_(&list), at_(begin), end_(end) {}
 
   const Token& peek(std::size_t ahead = 0) const {
-    const std::size_t at = std::min(at_ + ahead, list_->tokens.size() - 1);
-    return list_->tokens[at];
+    const std::size_t at = at_ + ahead;
+    return at < end_ ? list_->tokens[at] : list_->tokens.back();
   }
   bool at(TokenKind kind, std::size_t ahead = 0) const {
     return peek(ahead).kind == kind;
   }
   const Token& take() {
     const Token& token = peek();
-    if (token.kind != TokenKind::End) ++at_;
+    if (at_ < end_) ++at_;
     return token;
   }
   bool accept(TokenKind kind) {
@@ -45,7 +47,11 @@ class Cursor {
     return list_->text_of(token);
   }
   SourceRange range(const Token& token) const { return list_->range_of(token); }
-  SourceRange here() const { return range(peek()); }
+  /// Of the next token; at the end, of the last one.
+  SourceRange here() const {
+    if (at_ < end_ || end_ == 0) return range(peek());
+    return range(list_->tokens[end_ - 1]);
+  }
   void skip_line_ends() {
     while (at(TokenKind::LineEnd)) take();
   }
@@ -54,7 +60,7 @@ class Cursor {
   }
   /// What stands here, for a message.
   std::string shown() const {
-    if (at(TokenKind::End)) return "the end of the file";
+    if (at(TokenKind::End)) return "the end";
     if (at(TokenKind::LineEnd)) return "the end of the line";
     return quoted_excerpt(text(peek()));
   }
@@ -65,6 +71,7 @@ class Cursor {
  private:
   const TokenList* list_;
   std::size_t at_ = 0;
+  std::size_t end_ = 0;
 };
 
 }  // namespace rung::iec

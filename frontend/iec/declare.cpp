@@ -28,6 +28,7 @@ Role role_of_area(char area) {
 
 Symbol& Expansion::add_symbol(Frame& frame, const std::string& key,
                               Symbol symbol) {
+  symbol.owner = &frame;
   symbols_.push_back(symbol);
   frame.names.emplace(key, &symbols_.back());
   frame.order.push_back(&symbols_.back());
@@ -126,12 +127,13 @@ void Expansion::declare(Frame& frame, const Variable& variable,
   if (const Type* const type = find_type(type_name)) {
     return declare_typed(frame, variable, *type, is_program);
   }
-  if (const Block* const block = find_block(type_name)) {
-    return declare_block(frame, variable, *block);
-  }
+  // A unit of the project goes before the standard's.
   const Pou* const pou = find_pou(type_name);
   if (pou != nullptr && pou->kind == PouKind::FunctionBlock) {
     return declare_instance(frame, variable);
+  }
+  if (const Block* const block = find_block(type_name)) {
+    return declare_block(frame, variable, *block);
   }
   Symbol symbol;
   symbol.kind = SymbolKind::Unsupported;
@@ -141,6 +143,10 @@ void Expansion::declare(Frame& frame, const Variable& variable,
 }
 
 void Expansion::declare_external(Frame& frame, const Variable& variable) {
+  if (frame.pou != nullptr && frame.pou->kind == PouKind::Function) {
+    return fail("RP041", variable.where,
+                "VAR_EXTERNAL inside of a function is not supported");
+  }
   const std::string key = upper(variable.name);
   const auto global = globals_->names.find(key);
   if (global != globals_->names.end()) {
@@ -236,6 +242,10 @@ void Expansion::declare_block(Frame& frame, const Variable& variable,
                               const Block& block) {
   const bool plain =
       variable.role == Role::Local || variable.role == Role::Global;
+  if (!variable.initial.empty()) {
+    return fail("RP041", variable.where,
+                "initial values of a function block are not supported");
+  }
   if (!plain || !variable.address.empty() || variable.constant) {
     return fail("RP041", variable.type_where,
                 "a function block is declared in VAR, without an address");
@@ -276,6 +286,10 @@ Symbol& Expansion::hidden_block(Frame& frame, const std::string& key,
 }
 
 void Expansion::declare_instance(Frame& frame, const Variable& variable) {
+  if (!variable.initial.empty()) {
+    return fail("RP041", variable.where,
+                "initial values of a function block are not supported");
+  }
   if (variable.role == Role::Temp || !variable.address.empty() ||
       variable.role == Role::Input || variable.role == Role::Output) {
     return fail("RP041", variable.type_where,

@@ -8,7 +8,7 @@
 namespace rung::iec {
 namespace {
 
-constexpr std::uint64_t kMaxSteps = 1'000'000;
+constexpr std::uint64_t kMaxSteps = 250'000;
 constexpr std::size_t kMaxNodes = 8'000'000;
 constexpr std::size_t kMaxDepth = 50;
 

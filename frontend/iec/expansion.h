@@ -37,12 +37,14 @@ struct Symbol {
   std::string_view type_name = {};  // of Unsupported
   const Block* block = nullptr;
   std::uint32_t element = 0;      // index of a Block's element
+  const Frame* owner = nullptr;   // where it is declared
   Frame* frame = nullptr;         // the names of a Block or an Instance
   std::int64_t value = 0;         // of Constant; a cell's initial one
   std::uint32_t declaration = 0;  // of Cell, in Ast::declarations
   bool sampled = false;           // an input of the program
   bool by_use = false;
   bool written = false;
+  bool locked = false;             // the control variable of a FOR
   bool called_without_en = false;  // Block, Instance
   /// The value that statements above have left, where that is a constant.
   std::optional<std::int64_t> known;
@@ -91,6 +93,12 @@ class Expansion {
   const Pou* find_pou(std::string_view name) const;
   bool mentions(std::string_view pin) const {
     return project_->mentioned.contains(pin);
+  }
+
+  /// Outputs but the first have a cell only where the texts mention them.
+  bool has_cell(const Block& block, const Pin& pin) const {
+    return find_pin(block.outputs.subspan(1), pin.name) == nullptr ||
+           mentions(pin.name);
   }
 
   Frame& new_frame(const Pou* pou, std::string path, const Frame* parent);

@@ -390,8 +390,21 @@ bool Scope::is_function(std::string_view name) const {
 
 std::optional<Value> Scope::function(std::string_view name,
                                      std::vector<Argument> arguments,
-                                     SourceRange where) {
+                                     SourceRange where, bool alone) {
   const Pou* const pou = expansion_->find_pou(name);
+  const bool writes =
+      std::any_of(arguments.begin(), arguments.end(),
+                  [](const Argument& it) { return it.output; }) ||
+      (pou != nullptr &&
+       std::any_of(pou->variables.begin(), pou->variables.end(),
+                   [](const Variable& it) { return it.role == Role::InOut; }));
+  if (writes && !alone) {
+    fail("RP049", where,
+         quoted_excerpt(name) +
+             " has outputs and stands inside of an expression: that is not "
+             "supported");
+    return std::nullopt;
+  }
   if (pou != nullptr && pou->kind == PouKind::Function) {
     return own_function(*pou, std::move(arguments), where);
   }

@@ -64,7 +64,8 @@ struct Pou {
 struct ProgramInstance {
   std::string_view name;
   std::string_view type;
-  SourceRange where;
+  std::optional<std::int64_t> interval_ms = {};  // of its task
+  SourceRange where = {};
 };
 
 struct Project {

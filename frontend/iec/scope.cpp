@@ -1,5 +1,7 @@
 #include "frontend/iec/scope.h"
 
+#include <algorithm>
+
 #include "base/text.h"
 #include "frontend/iec/functions.h"
 #include "frontend/iec/token.h"
@@ -52,7 +54,9 @@ Symbol* Scope::member(Symbol& instance, std::string_view name,
     const Block& block = *instance.block;
     const Pin* found = find_pin(block.outputs, key);
     if (found == nullptr) found = find_pin(block.inputs, key);
-    if (found != nullptr) return &expansion_->pin(instance, *found, where);
+    if (found != nullptr && expansion_->has_cell(block, *found)) {
+      return &expansion_->pin(instance, *found, where);
+    }
     if (enable) return &expansion_->enable_pin(*instance.frame, key, where);
     fail("RP049", where,
          "a " + std::string(block.name) + " has no " + quoted_excerpt(name) +
@@ -120,6 +124,8 @@ std::optional<Value> Scope::read(Symbol& symbol, SourceRange where) {
                " is a function block: name an output of it");
       return std::nullopt;
     case SymbolKind::Unsupported: {
+      if (symbol.written) return std::nullopt;  // said before
+      symbol.written = true;
       std::vector<std::string_view> known = type_names();
       for (const std::string_view name : block_names()) known.push_back(name);
       fail("RP041", where,
@@ -137,18 +143,35 @@ std::optional<Value> Scope::read(std::string_view path, SourceRange where) {
   return symbol == nullptr ? std::nullopt : read(*symbol, where);
 }
 
-bool Scope::check_writable(const Symbol& symbol, SourceRange where) {
+/// Not one that a VAR_IN_OUT of this unit stands for.
+bool Scope::is_output_of_other(const Symbol& symbol) const {
+  if (symbol.role != Role::Output || symbol.owner == frame_ ||
+      symbol.owner->path.empty()) {
+    return false;
+  }
+  return std::none_of(frame_->names.begin(), frame_->names.end(),
+                      [&](const auto& name) { return name.second == &symbol; });
+}
+
+bool Scope::check_writable(Symbol& symbol, SourceRange where) {
   if (symbol.kind == SymbolKind::Unsupported ||
       symbol.kind == SymbolKind::Block || symbol.kind == SymbolKind::Instance) {
-    Symbol copy = symbol;
-    read(copy, where);  // says why not
+    read(symbol, where);  // says why not
+    return false;
+  }
+  if (is_output_of_other(symbol)) {
+    fail("RP049", where,
+         quoted_excerpt(symbol.name) +
+             " is an output: only the block writes it");
     return false;
   }
   const bool constant = symbol.kind == SymbolKind::Constant;
-  if (!constant && !symbol.sampled) return true;
+  if (!constant && !symbol.sampled && !symbol.locked) return true;
   fail("RP044", where,
        quoted_excerpt(symbol.name) +
-           (constant ? " is a constant" : " is an input") +
+           (constant         ? " is a constant"
+            : symbol.sampled ? " is an input"
+                             : " is the variable of a FOR") +
            ": no statement can write it");
   return false;
 }
@@ -242,9 +265,14 @@ std::string_view Scope::keep_condition(const Expression& condition,
   return writer().keep("run", kBitCell, on, where);
 }
 
+Context Scope::here() const {
+  Context context = expansion_->context();
+  context.gone = gone_;
+  return context;
+}
+
 Context Scope::enter(Value condition, SourceRange where) {
-  Context outer = expansion_->context();
-  outer.gone = gone_;
+  const Context outer = here();
   expansion_->enter(keep_condition(condition.nodes, where));
   return outer;
 }

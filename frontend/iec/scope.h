@@ -70,7 +70,7 @@ class Scope {
   std::optional<Value> read(Symbol& symbol, SourceRange where);
   std::optional<Value> read(std::string_view path, SourceRange where);
   /// May a statement of this unit write it? With an error.
-  bool check_writable(const Symbol& symbol, SourceRange where);
+  bool check_writable(Symbol& symbol, SourceRange where);
   bool write(Symbol& target, Value value, SourceRange target_where,
              SourceRange where);
   bool write(std::string_view path, Value value, SourceRange target_where,
@@ -103,10 +103,11 @@ class Scope {
   /// Gives the inputs, executes, and hands out the outputs.
   bool call(Symbol& instance, std::vector<Argument> arguments,
             SourceRange where);
-  /// Standard functions and the project's own.
+  /// Standard functions and the project's own. `alone`: nothing has been read
+  /// that its outputs could change before it is used.
   std::optional<Value> function(std::string_view name,
                                 std::vector<Argument> arguments,
-                                SourceRange where);
+                                SourceRange where, bool alone = true);
   /// A hidden R_TRIG (F_TRIG) that belongs to this unit's frame alone; it is
   /// executed here, and what it gives is a bit of its own. In a function block
   /// each instance has its own, so `site` must name the place in the body.
@@ -117,6 +118,8 @@ class Scope {
   /// Statements up to leave() have an effect only where `condition` is true
   /// too. Conditions nest.
   Context enter(Value condition, SourceRange where);
+  /// What leave() may return to.
+  Context here() const;
   void leave(const Context& outer, SourceRange where);
   /// RETURN: no statement of this body further down has an effect.
   void leave_body(SourceRange where);
@@ -144,6 +147,7 @@ class Scope {
                                     std::vector<Argument> arguments,
                                     SourceRange where);
   bool set_preset(Symbol& preset, const Value& value, SourceRange where);
+  bool is_output_of_other(const Symbol& symbol) const;
   static Symbol* variable_of(const Value& value);
   void assign(Symbol& target, const Expression& value, SourceRange target_where,
               SourceRange where);

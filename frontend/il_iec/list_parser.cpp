@@ -5,17 +5,21 @@
 #include <utility>
 
 #include "base/text.h"
+#include "frontend/iec/bodies.h"
+#include "frontend/iec/declarations.h"
 
 namespace rung::il_iec {
 namespace {
 
 using enum Code;
 
+constexpr std::size_t kMaxDepth = 200;
+
 // By name.
 constexpr std::array<Operator, 44> kOperators = {{
-    {"ADD", Binary, false, false, AstOp::Add},
-    {"AND", Binary, false, false, AstOp::And},
-    {"ANDN", Binary, true, false, AstOp::And},
+    {"ADD", Binary, false, false, iec::Operator::Add},
+    {"AND", Binary, false, false, iec::Operator::And},
+    {"ANDN", Binary, true, false, iec::Operator::And},
     {"CAL", Call},
     {"CALC", Call, false, true},
     {"CALCN", Call, true, true},
@@ -23,10 +27,10 @@ constexpr std::array<Operator, 44> kOperators = {{
     {"CD", Pin},
     {"CLK", Pin},
     {"CU", Pin},
-    {"DIV", Binary, false, false, AstOp::Divide},
-    {"EQ", Binary, false, false, AstOp::Equal},
-    {"GE", Binary, false, false, AstOp::GreaterEqual},
-    {"GT", Binary, false, false, AstOp::Greater},
+    {"DIV", Binary, false, false, iec::Operator::Divide},
+    {"EQ", Binary, false, false, iec::Operator::Equal},
+    {"GE", Binary, false, false, iec::Operator::GreaterEqual},
+    {"GT", Binary, false, false, iec::Operator::Greater},
     {"IN", Pin},
     {"JMP", Jump},
     {"JMPC", Jump, false, true},
@@ -34,14 +38,14 @@ constexpr std::array<Operator, 44> kOperators = {{
     {"JMPNC", Jump, true, true},
     {"LD", Load},
     {"LDN", Load, true},
-    {"LE", Binary, false, false, AstOp::LessEqual},
-    {"LT", Binary, false, false, AstOp::Less},
-    {"MOD", Unknown},
-    {"MUL", Binary, false, false, AstOp::Multiply},
-    {"NE", Binary, false, false, AstOp::NotEqual},
+    {"LE", Binary, false, false, iec::Operator::LessEqual},
+    {"LT", Binary, false, false, iec::Operator::Less},
+    {"MOD", Binary, false, false, iec::Operator::Modulo},
+    {"MUL", Binary, false, false, iec::Operator::Multiply},
+    {"NE", Binary, false, false, iec::Operator::NotEqual},
     {"NOT", Not},
-    {"OR", Binary, false, false, AstOp::Or},
-    {"ORN", Binary, true, false, AstOp::Or},
+    {"OR", Binary, false, false, iec::Operator::Or},
+    {"ORN", Binary, true, false, iec::Operator::Or},
     {"PT", Pin},
     {"PV", Pin},
     {"R", Reset},
@@ -54,23 +58,17 @@ constexpr std::array<Operator, 44> kOperators = {{
     {"S1", Pin},
     {"ST", Store},
     {"STN", Store, true},
-    {"SUB", Binary, false, false, AstOp::Subtract},
-    {"XOR", Binary, false, false, AstOp::Xor},
-    {"XORN", Binary, true, false, AstOp::Xor},
+    {"SUB", Binary, false, false, iec::Operator::Subtract},
+    {"XOR", Binary, false, false, iec::Operator::Xor},
+    {"XORN", Binary, true, false, iec::Operator::Xor},
 }};
 
-constexpr Operator kAnd = {"AND", Binary, false, false, AstOp::And};
-constexpr Operator kAndNot = {"ANDN", Binary, true, false, AstOp::And};
+constexpr Operator kAnd = {"AND", Binary, false, false, iec::Operator::And};
+constexpr Operator kAndNot = {"ANDN", Binary, true, false, iec::Operator::And};
 
-bool is_logic(AstOp op) {
-  return op == AstOp::And || op == AstOp::Or || op == AstOp::Xor;
-}
-bool is_arithmetic(AstOp op) {
-  return op == AstOp::Add || op == AstOp::Subtract || op == AstOp::Multiply ||
-         op == AstOp::Divide;
-}
-bool is_equality(AstOp op) {
-  return op == AstOp::Equal || op == AstOp::NotEqual;
+bool is_instance(const Symbol* symbol) {
+  return symbol != nullptr && (symbol->kind == Symbol::Kind::Block ||
+                               symbol->kind == Symbol::Kind::Instance);
 }
 
 }  // namespace
@@ -93,67 +91,52 @@ bool is_operator(std::string_view upper_word) {
   return find_operator(upper_word) != nullptr;
 }
 
-void read_instructions(Cursor& cursor, Names& names, Writer& writer,
-                       ErrorLimit& errors, std::string_view end_word,
-                       bool by_use) {
-  ListParser(cursor, names, writer, errors, by_use).run(end_word);
-}
-
 void ListParser::fail(std::string_view code, SourceRange where,
                       std::string message) {
-  errors_.error(code, where, std::move(message));
+  scope_.fail(code, where, std::move(message));
   failed_ = true;
 }
 
-/// None where the message is only counted.
-std::string ListParser::suggestion(
-    std::string_view word, const std::vector<std::string_view>& known) const {
-  return errors_.is_full() ? std::string() : did_you_mean(word, known);
-}
-std::string ListParser::suggestion(std::string_view word) const {
-  return errors_.is_full() ? std::string() : did_you_mean(word, names_.known());
-}
-
-void ListParser::run(std::string_view end_word) {
-  find_labels(end_word);
+void ListParser::run() {
+  find_labels();
   while (true) {
     cursor_.skip_line_ends();
     if (cursor_.at(TokenKind::End)) break;
-    if (!end_word.empty() && cursor_.word() == end_word) break;
+    if (!scope_.step(cursor_.here())) return;
     failed_ = false;
-    line(end_word);
+    line();
     if (!failed_) continue;
-    while (!cursor_.at(TokenKind::LineEnd) && !cursor_.at(TokenKind::End) &&
-           (end_word.empty() || cursor_.word() != end_word)) {
-      cursor_.take();
-    }
-    stack_.resize(start());
+    cursor_.skip_line();
     state_ = State::Broken;
   }
   for (const Frame& frame : frames_) {
-    errors_.error("RP047", frame.where, "this parenthesis is not closed");
+    scope_.fail("RP047", frame.where, "this parenthesis is not closed");
   }
 }
 
-void ListParser::line(std::string_view end_word) {
+void ListParser::line() {
   if (cursor_.at(TokenKind::Word) && cursor_.at(TokenKind::Colon, 1)) {
     label();
-    if (failed_ || cursor_.at(TokenKind::LineEnd)) return;
-    if (!end_word.empty() && cursor_.word() == end_word) return;
+    if (failed_ || cursor_.at(TokenKind::LineEnd) ||
+        cursor_.at(TokenKind::End)) {
+      return;
+    }
   }
   if (cursor_.at(TokenKind::Semicolon)) return end_line();
   do {
     instruction();
   } while (!failed_ && (!frames_.empty() || cursor_.at(TokenKind::Close)) &&
-           !cursor_.at(TokenKind::LineEnd) &&
+           !cursor_.at(TokenKind::LineEnd) && !cursor_.at(TokenKind::End) &&
            !cursor_.at(TokenKind::Semicolon));
   if (!failed_) end_line();
 }
 
 void ListParser::end_line() {
   if (cursor_.accept(TokenKind::Semicolon)) check_comment();
-  if (failed_ || cursor_.at(TokenKind::LineEnd)) return;
-  fail("RP047", cursor_.range(cursor_.peek()),
+  const bool ends =
+      cursor_.at(TokenKind::LineEnd) || cursor_.at(TokenKind::End);
+  if (failed_ || ends) return;
+  fail("RP047", cursor_.here(),
        "expected the end of the line and found " + cursor_.shown());
 }
 
@@ -162,7 +145,7 @@ void ListParser::check_comment() {
   const std::string word = cursor_.word();
   if (is_operator(word) || cursor_.at(TokenKind::Colon, 1) ||
       word.starts_with("END_")) {
-    return fail("RP047", cursor_.range(cursor_.peek()),
+    return fail("RP047", cursor_.here(),
                 "an instruction behind `;`: each has a line of its own (a "
                 "comment is written `(* *)`)");
   }
@@ -171,7 +154,7 @@ void ListParser::check_comment() {
 
 const Operator* ListParser::take_operator(SourceRange& where) {
   const Token token = cursor_.peek();
-  where = cursor_.range(token);
+  where = cursor_.here();
   if (token.kind == TokenKind::And) {
     cursor_.take();
     const bool negated =
@@ -185,10 +168,13 @@ const Operator* ListParser::take_operator(SourceRange& where) {
     return found;
   }
   if (token.kind == TokenKind::Word) {
-    fail("RP040", where,
-         quoted_excerpt(cursor_.text(token)) +
-             " is no operator of instruction lists" +
-             suggestion(word, operator_names()));
+    fail(
+        "RP040", where,
+        quoted_excerpt(cursor_.text(token)) +
+            " is no operator of instruction lists, and no function that is "
+            "supported" +
+            (scope_.errors().is_full() ? std::string()
+                                       : did_you_mean(word, operator_names())));
   } else {
     fail("RP040", where,
          "expected an instruction and found " + cursor_.shown());
@@ -196,10 +182,10 @@ const Operator* ListParser::take_operator(SourceRange& where) {
   return nullptr;
 }
 
-bool ListParser::plain(const Operator& op, SourceRange where) {
+bool ListParser::plain(std::string_view name, SourceRange where) {
   if (frames_.empty()) return true;
   fail("RP047", where,
-       quoted_excerpt(op.name) + " inside of parentheses is not supported");
+       quoted_excerpt(name) + " inside of parentheses is not supported");
   return false;
 }
 
@@ -214,74 +200,87 @@ bool ListParser::known(SourceRange where) {
   return false;
 }
 
-bool ListParser::known(SourceRange where, Kind kind, std::string_view what) {
+bool ListParser::known(SourceRange where, const iec::Type& type,
+                       std::string_view what) {
   if (!known(where)) return false;
-  if (kind_ == kind) return true;
+  if (value_.type == &type) return true;
   fail("RP049", where,
-       std::string(what) + " takes a " + std::string(to_string(kind)) +
-           ", and the current result is a " + std::string(to_string(kind_)));
+       std::string(what) + " takes a " + std::string(type.name) +
+           ", and the current result is a " + std::string(value_.type->name));
   return false;
 }
 
-void ListParser::instruction() {
-  if (cursor_.at(TokenKind::Close)) {
-    return close(cursor_.range(cursor_.take()));
+void ListParser::set_value(std::optional<Value> value) {
+  if (!value) {
+    failed_ = true;
+    return;
   }
+  value_ = std::move(*value);
+  state_ = State::Known;
+}
+
+void ListParser::instruction() {
+  const SourceRange here = cursor_.here();
+  if (cursor_.accept(TokenKind::Close)) return close(here);
+  const bool is_function = cursor_.at(TokenKind::Word) &&
+                           !is_operator(cursor_.word()) &&
+                           scope_.is_function(cursor_.text(cursor_.peek()));
+  if (is_function) return function(here);
   SourceRange where;
   const Operator* const op = take_operator(where);
-  if (op == nullptr) return;
-  switch (op->code) {
+  if (op != nullptr) execute(*op, where);
+}
+
+void ListParser::execute(const Operator& op, SourceRange where) {
+  switch (op.code) {
     case Load:
-      return load(*op, where);
+      return load(op, where);
     case Binary:
-      return binary(*op, where);
+      return binary(op, where);
     case Not:
-      return invert(where);
+      // Some write an operand, which means nothing.
+      if (known(where)) set_value(scope_.invert(std::move(value_), where));
+      return;
     case Store:
     case Set:
     case Reset:
-      return store(*op, where);
+      return store(op, where);
     case Code::Jump:
     case Return:
-      return jump(*op, where);
+      return jump(op, where);
     case Call:
-      return call(*op, where);
+      return call(op, where);
     case Code::Pin: {
-      Instance* const instance = instance_here();
-      if (instance == nullptr) return;
-      return pin_operator(*op, *instance, where);
+      Symbol* const instance = instance_here();
+      if (instance != nullptr) pin_operator(op, *instance, where);
+      return;
     }
-    case Unknown:
-      return fail("RP040", where,
-                  quoted_excerpt(op->name) + " is not supported");
   }
 }
 
 void ListParser::load(const Operator& op, SourceRange where) {
-  Instance* const instance = names_.find_instance(cursor_.word());
-  if (instance != nullptr && !cursor_.at(TokenKind::Dot, 1) && !op.negate &&
+  Symbol* const instance = cursor_.at(TokenKind::Word)
+                               ? scope_.find(cursor_.text(cursor_.peek()))
+                               : nullptr;
+  if (is_instance(instance) && !cursor_.at(TokenKind::Dot, 1) && !op.negate &&
       state_ == State::Known) {
     cursor_.take();
     return pin_operator(op, *instance, where);
   }
   std::optional<Value> value = operand();
-  if (!value) return;
-  forget();
-  if (op.negate && value->kind != Kind::Bool) {
-    return fail("RP049", where, "LDN takes a BOOL");
-  }
-  stack_.insert(stack_.end(), value->nodes.begin(), value->nodes.end());
-  if (op.negate) push_unary(stack_, AstOp::Not, where);
-  kind_ = value->kind;
-  state_ = State::Known;
+  if (value && op.negate) value = scope_.invert(std::move(*value), where);
+  set_value(std::move(value));
 }
 
 void ListParser::binary(const Operator& op, SourceRange where) {
   if (cursor_.at(TokenKind::Open)) {
     const SourceRange open = cursor_.range(cursor_.take());
     const bool has_value = known(where);
-    frames_.push_back({stack_.size(), &op,
-                       has_value ? State::Known : State::Broken, kind_,
+    if (frames_.size() >= kMaxDepth) {
+      return fail("RP047", where, "parentheses nest more than 200 deep");
+    }
+    frames_.push_back({std::move(value_), &op,
+                       has_value ? State::Known : State::Broken,
                        cover(where, open)});
     if (!has_value) return;
     state_ = State::None;
@@ -291,144 +290,108 @@ void ListParser::binary(const Operator& op, SourceRange where) {
     // AND( a is AND( and LD a.
     const bool starts = is_operator(cursor_.word()) &&
                         !cursor_.at(TokenKind::Dot, 1) &&
-                        !names_.is_known(cursor_.word());
+                        scope_.find(cursor_.word()) == nullptr;
     if (starts) return;
     static constexpr Operator kLoad = {"LD", Load};
     return load(kLoad, where);
   }
-  const std::optional<Value> right = operand();
-  if (!right || !known(where)) return;
-  stack_.insert(stack_.end(), right->nodes.begin(), right->nodes.end());
-  apply(op, right->kind, where);
+  std::optional<Value> right = operand();
+  if (!right) failed_ = true;
+  if (failed_ || !known(where)) return;
+  apply(op, std::move(*right), where);
 }
 
 void ListParser::close(SourceRange where) {
   if (frames_.empty()) {
     return fail("RP047", where, "this parenthesis closes nothing");
   }
-  const Frame frame = frames_.back();
+  Frame frame = std::move(frames_.back());
   const bool has_value = frame.state == State::Known && known(where);
   frames_.pop_back();
   if (!has_value) {
     failed_ = true;
     return;
   }
-  const Kind right = kind_;
+  Value right = std::move(value_);
+  value_ = std::move(frame.left);
   state_ = frame.state;
-  kind_ = frame.kind;
-  apply(*frame.op, right, frame.where);
+  apply(*frame.op, std::move(right), frame.where);
 }
 
-/// The stack holds both operands.
-void ListParser::apply(const Operator& op, Kind right, SourceRange where) {
-  const bool bits = kind_ == Kind::Bool;
-  if (kind_ != right) {
-    return fail("RP049", where,
-                quoted_excerpt(op.name) +
-                    " takes two of one type, and is given a " +
-                    std::string(to_string(kind_)) + " and a " +
-                    std::string(to_string(right)));
-  }
-  if ((is_logic(op.op) && !bits) ||
-      (is_arithmetic(op.op) && kind_ != Kind::Int) ||
-      (bits && !is_logic(op.op) && !is_equality(op.op))) {
-    return fail("RP049", where,
-                quoted_excerpt(op.name) + " of two " +
-                    std::string(to_string(kind_)) + " is not supported");
-  }
-  if (op.op == AstOp::Divide &&
-      (stack_.back().op != AstOp::Number || stack_.back().text == "0")) {
-    return fail("RP049", where,
-                "DIV takes a constant divisor other than 0: no other is "
-                "supported");
-  }
-  if (op.negate) push_unary(stack_, AstOp::Not, where);
-  if (bits && is_equality(op.op)) {
-    push_binary(stack_, AstOp::Xor, where);
-    if (op.op == AstOp::Equal) push_unary(stack_, AstOp::Not, where);
+void ListParser::apply(const Operator& op, Value right, SourceRange where) {
+  std::optional<Value> operand = std::move(right);
+  if (op.negate) operand = scope_.invert(std::move(*operand), where);
+  if (!operand) {
+    failed_ = true;
     return;
   }
-  push_binary(stack_, op.op, where);
-  if (is_arithmetic(op.op)) return push_conversion(stack_, "wrap16", where);
-  kind_ = Kind::Bool;
-}
-
-void ListParser::invert(SourceRange where) {
-  if (!known(where, Kind::Bool, "NOT")) return;
-  push_unary(stack_, AstOp::Not, where);
+  set_value(
+      scope_.binary(op.op, std::move(value_), std::move(*operand), where));
 }
 
 void ListParser::store(const Operator& op, SourceRange where) {
-  if (!plain(op, where)) return;
-  Instance* const instance = names_.find_instance(cursor_.word());
-  if (op.code != Store && instance != nullptr &&
+  if (!plain(op.name, where)) return;
+  if (!cursor_.at(TokenKind::Word) && !cursor_.at(TokenKind::Address)) {
+    return fail("RP047", cursor_.here(),
+                quoted_excerpt(op.name) +
+                    " needs a variable and is followed by " + cursor_.shown());
+  }
+  Symbol* const instance = scope_.find(cursor_.text(cursor_.peek()));
+  if (op.code != Store && is_instance(instance) &&
       !cursor_.at(TokenKind::Dot, 1)) {
     cursor_.take();
     return pin_operator(op, *instance, where);
   }
-  const Token first = cursor_.peek();
-  if (first.kind != TokenKind::Word && first.kind != TokenKind::Address) {
-    return fail("RP047", cursor_.range(first),
-                quoted_excerpt(op.name) +
-                    " needs a variable and is followed by " + cursor_.shown());
-  }
   SourceRange target_where;
-  bool is_preset = false;
-  Cell* const cell = cell_here(first, target_where, is_preset);
-  if (cell == nullptr && !is_preset) return;
+  Symbol* const target = variable(target_where);
+  if (target == nullptr) {
+    failed_ = true;
+    return;
+  }
   if (!known(where)) return;
-  if (is_preset) {
-    Instance* const timer = names_.find_instance(upper(cursor_.text(first)));
-    if (op.code != Store || op.negate) {
-      return fail("RP049", where, quoted_excerpt(op.name) + " takes a BOOL");
-    }
-    return set_preset(*timer, {value(), kind_}, target_where);
-  }
-  write(op, *cell, target_where, cover(where, target_where));
+  write(op, *target, target_where, cover(where, target_where));
 }
 
-void ListParser::write(const Operator& op, Cell& cell, SourceRange target_where,
-                       SourceRange where) {
-  if (op.code != Store) return set_or_reset(op, cell, target_where, where);
-  if (cell.kind != kind_) {
-    return fail("RP049", where,
-                quoted_excerpt(cell.name) + " is a " +
-                    std::string(to_string(cell.kind)) +
-                    ", and the current result is a " +
-                    std::string(to_string(kind_)));
+void ListParser::write(const Operator& op, Symbol& target,
+                       SourceRange target_where, SourceRange where) {
+  if (op.code != Store) return set_or_reset(op, target, target_where, where);
+  std::optional<Value> stored = value_;
+  if (op.negate) stored = scope_.invert(std::move(*stored), where);
+  if (!stored ||
+      !scope_.write(target, std::move(*stored), target_where, where)) {
+    failed_ = true;
+    return;
   }
-  if (op.negate && kind_ != Kind::Bool) {
-    return fail("RP049", where, "STN takes a BOOL");
-  }
-  Expression stored = value();
-  if (op.negate) push_unary(stored, AstOp::Not, where);
-  writer_.assign(cell, target_where, stored, where);
+  if (target.kind == Symbol::Kind::Preset) return;
   // The current result goes on, also where it read this variable.
-  stack_.resize(start());
-  push_leaf(stack_, AstOp::Name, cell.name, target_where);
-  if (op.negate) push_unary(stack_, AstOp::Not, where);
+  set_value(scope_.read(target, target_where));
+  if (op.negate) set_value(scope_.invert(std::move(value_), where));
 }
 
-void ListParser::set_or_reset(const Operator& op, Cell& cell,
+void ListParser::set_or_reset(const Operator& op, Symbol& target,
                               SourceRange target_where, SourceRange where) {
-  if (!known(where, Kind::Bool, op.name)) return;
-  if (cell.kind != Kind::Bool) {
+  if (!known(where, iec::kBool, op.name)) return;
+  if (!scope_.check_writable(target, target_where)) {
+    failed_ = true;
+    return;
+  }
+  if (target.type != &iec::kBool) {
     return fail("RP049", target_where,
                 quoted_excerpt(op.name) + " takes a BOOL");
   }
   if (is_live()) keep_value(where);
-  Expression stored;
-  push_leaf(stored, AstOp::Name, cell.name, target_where);
-  stored.insert(stored.end(),
-                stack_.begin() + static_cast<std::ptrdiff_t>(start()),
-                stack_.end());
+  std::optional<Value> old = scope_.read(target, target_where);
+  std::optional<Value> stored;
   if (op.code == Set) {
-    push_binary(stored, AstOp::Or, where);
-  } else {
-    push_unary(stored, AstOp::Not, where);
-    push_binary(stored, AstOp::And, where);
+    stored = scope_.binary(iec::Operator::Or, std::move(*old), value_, where);
+  } else if (auto kept = scope_.invert(value_, where)) {
+    stored = scope_.binary(iec::Operator::And, std::move(*old),
+                           std::move(*kept), where);
   }
-  writer_.assign(cell, target_where, stored, where);
+  if (!stored ||
+      !scope_.write(target, std::move(*stored), target_where, where)) {
+    failed_ = true;
+  }
 }
 
 /// May the current result be used behind this instruction?
@@ -438,20 +401,69 @@ bool ListParser::is_live() const {
   ahead.skip_line_ends();
   const std::string word = ahead.word();
   // `LD counter` gives the current result to an input of the block.
-  if (names_.find_instance(ahead.word(1)) != nullptr) return true;
-  return word != "LD" && word != "LDN" && !word.starts_with("END_") &&
-         !ahead.at(TokenKind::End);
+  if (ahead.at(TokenKind::Word, 1) &&
+      is_instance(scope_.find(ahead.text(ahead.peek(1))))) {
+    return true;
+  }
+  return word != "LD" && word != "LDN" && !ahead.at(TokenKind::End);
 }
 
 /// A result of more than one contact is computed once: what it reads may be
 /// written before it is used again.
 void ListParser::keep_value(SourceRange where) {
-  if (stack_.back().op == AstOp::Bool) return;
-  const Expression all = value();
-  if (all.size() == 1 && kept_ == all.back().text) return;
-  kept_ = writer_.keep("kept", kind_, all, where);
-  stack_.resize(start());
-  push_leaf(stack_, AstOp::Name, kept_, where);
+  if (value_.nodes.back().op == AstOp::Bool) return;
+  if (value_.nodes.size() == 1 && kept_ == value_.nodes.back().text) return;
+  kept_ =
+      scope_.writer().keep("kept", value_.type->shape(), value_.nodes, where);
+  value_.nodes.clear();
+  value_.symbol = nullptr;
+  push_leaf(value_.nodes, AstOp::Name, kept_, where);
 }
 
 }  // namespace rung::il_iec
+
+namespace rung::iec {
+
+Body instruction_list(std::shared_ptr<const TokenList> list, std::size_t begin,
+                      std::size_t end) {
+  return [list = std::move(list), begin, end](Scope& scope) {
+    il_iec::ListParser(Cursor(*list, begin, end), scope).run();
+  };
+}
+
+bool looks_like_list(const TokenList& list, std::size_t begin,
+                     std::size_t end) {
+  Cursor cursor(list, begin, end);
+  cursor.skip_line_ends();
+  while (cursor.at(TokenKind::Word) && cursor.at(TokenKind::Colon, 1)) {
+    cursor.take();
+    cursor.take();
+    cursor.skip_line_ends();
+  }
+  if (!cursor.at(TokenKind::Word)) return false;
+  // `CALC foo`, `foo_f a, b`; `LD := x;` is structured text, `R = I0;` a
+  // script.
+  if (il_iec::is_operator(cursor.word())) {
+    for (const TokenKind other :
+         {TokenKind::Assign, TokenKind::Equal, TokenKind::Dot, TokenKind::Open,
+          TokenKind::Semicolon}) {
+      if (cursor.at(other, 1)) return false;
+    }
+    return true;
+  }
+  if (cursor.at(TokenKind::Word, 1)) {
+    // A sequential function chart is no list.
+    return !is_reserved(cursor.word()) && cursor.word() != "INITIAL_STEP";
+  }
+  if (!cursor.at(TokenKind::Open, 1)) return false;
+  // A call: a statement has `;` behind it.
+  std::size_t depth = 0;
+  while (!cursor.at(TokenKind::End)) {
+    const TokenKind kind = cursor.take().kind;
+    if (kind == TokenKind::Open) ++depth;
+    if (kind == TokenKind::Close && --depth == 0) break;
+  }
+  return cursor.at(TokenKind::LineEnd);
+}
+
+}  // namespace rung::iec

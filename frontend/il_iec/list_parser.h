@@ -7,9 +7,18 @@
 #include <unordered_map>
 #include <vector>
 
-#include "frontend/il_iec/parser.h"
+#include "frontend/iec/cursor.h"
+#include "frontend/iec/scope.h"
 
 namespace rung::il_iec {
+
+using iec::Context;
+using iec::Cursor;
+using iec::Scope;
+using iec::Symbol;
+using iec::Token;
+using iec::TokenKind;
+using iec::Value;
 
 enum class Code : std::uint8_t {
   Load,
@@ -17,52 +26,41 @@ enum class Code : std::uint8_t {
   Set,
   Reset,
   Not,
-  Binary,  // AstOp
+  Binary,  // iec::Operator
   Jump,
   Return,
   Call,
-  Pin,      // S1, CLK, ...: gives an input of a block and executes it
-  Unknown,  // an operator that is not supported
+  Pin,  // S1, CLK, ...: gives an input of a block and executes it
 };
 
 struct Operator {
   std::string_view name;
-  Code code = Code::Unknown;
-  bool negate = false;     // N
-  bool condition = false;  // C
-  AstOp op = AstOp::And;   // of Binary
+  Code code = Code::Load;
+  bool negate = false;                    // N
+  bool condition = false;                 // C
+  iec::Operator op = iec::Operator::And;  // of Binary
 };
 const Operator* find_operator(std::string_view upper_word);
 std::vector<std::string_view> operator_names();
-
-/// What an operand or the accumulator is worth.
-struct Value {
-  Expression nodes;
-  Kind kind = Kind::Bool;
-};
+/// Is the word, in capitals, an operator of instruction lists?
+bool is_operator(std::string_view upper_word);
 
 /// Executes a list symbolically: the accumulator is an expression, which turns
 /// into assignments where it is stored.
 class ListParser {
  public:
-  ListParser(Cursor& cursor, Names& names, Writer& writer, ErrorLimit& errors,
-             bool by_use)
-      : cursor_(cursor),
-        names_(names),
-        writer_(writer),
-        errors_(errors),
-        by_use_(by_use) {}
+  ListParser(Cursor cursor, Scope& scope)
+      : cursor_(cursor), scope_(scope), base_(scope.here()) {}
 
-  void run(std::string_view end_word);
+  void run();
 
  private:
   /// The accumulator: it has a value, has none, or an error was said about it.
   enum class State : std::uint8_t { None, Known, Broken };
   struct Frame {
-    std::size_t start = 0;  // in stack_
+    Value left;
     const Operator* op = nullptr;
     State state = State::None;
-    Kind kind = Kind::Bool;
     SourceRange where;
   };
   struct Jump {
@@ -75,92 +73,60 @@ class ListParser {
     std::vector<Jump> jumps;
   };
 
-  struct Output {  // Q => variable
-    const Pin* pin = nullptr;
-    Cell* target = nullptr;
-    SourceRange where;
-  };
-
   // list_parser.cpp
-  void line(std::string_view end_word);
+  void line();
   void end_line();
   void check_comment();
-  const Operator* take_operator(SourceRange& where);
   void instruction();
+  const Operator* take_operator(SourceRange& where);
+  void execute(const Operator& op, SourceRange where);
   void load(const Operator& op, SourceRange where);
   void binary(const Operator& op, SourceRange where);
-  void apply(const Operator& op, Kind right, SourceRange where);
+  void apply(const Operator& op, Value right, SourceRange where);
   void close(SourceRange where);
-  void invert(SourceRange where);
   void store(const Operator& op, SourceRange where);
-  void write(const Operator& op, Cell& cell, SourceRange target_where,
+  void write(const Operator& op, Symbol& target, SourceRange target_where,
              SourceRange where);
-  void set_or_reset(const Operator& op, Cell& cell, SourceRange target_where,
-                    SourceRange where);
+  void set_or_reset(const Operator& op, Symbol& target,
+                    SourceRange target_where, SourceRange where);
   void keep_value(SourceRange where);
-
-  // list_jumps.cpp
-  void find_labels(std::string_view end_word);
-  void label();
-  void jump(const Operator& op, SourceRange where);
-  void jump_to(Label* target, const Operator& op, SourceRange where);
-
-  // list_operands.cpp
-  std::optional<Value> operand();
-  std::optional<Value> name_operand();
-  std::optional<Value> number_operand(const Token& first, bool negative);
-  std::optional<Value> address_operand(const Token& token);
-  std::optional<Value> pin_operand(Instance& instance, const Token& first);
-  Cell* cell_here(const Token& first, SourceRange& where, bool& is_preset);
-  Cell* cell_of(const Token& token);
-  Cell* target_pin(Instance& instance, SourceRange& where, bool& is_preset);
-  Cell* use(std::string_view text, const std::string& key, Kind kind,
-            SourceRange where);
-  Instance* instance_here();
-  void call(const Operator& op, SourceRange where);
-  void arguments(Instance& instance, SourceRange where);
-  void argument(Instance& instance, std::size_t index,
-                std::vector<Output>& outputs);
-  void output_argument(const Pin& pin, std::vector<Output>& outputs);
-  void give(Instance& instance, const Pin& pin, const Value& value,
-            SourceRange where);
-  void set_preset(Instance& instance, const Value& value, SourceRange where);
-  void execute(Instance& instance, SourceRange where);
-  void pin_operator(const Operator& op, Instance& instance, SourceRange where);
-
-  void fail(std::string_view code, SourceRange where, std::string message);
-  std::string suggestion(std::string_view word,
-                         const std::vector<std::string_view>& known) const;
-  std::string suggestion(std::string_view word) const;
-  bool known(SourceRange where, Kind kind, std::string_view what);
-  bool known(SourceRange where);
-  bool plain(const Operator& op, SourceRange where);
-  Expression value() const {
-    return {stack_.begin() + static_cast<std::ptrdiff_t>(start()),
-            stack_.end()};
-  }
-  std::size_t start() const {
-    return frames_.empty() ? 0 : frames_.back().start;
-  }
-  void forget() {
-    stack_.resize(start());
-    state_ = State::None;
-  }
   bool is_live() const;
 
-  Cursor& cursor_;
-  Names& names_;
-  Writer& writer_;
-  ErrorLimit& errors_;
-  bool by_use_;
+  // list_jumps.cpp
+  void find_labels();
+  void label();
+  void jump(const Operator& op, SourceRange where);
+  Label* jump_target(SourceRange& where);
+  void jump_to(Label* target, const Operator& op, SourceRange where);
+
+  // list_calls.cpp
+  std::optional<Value> operand();
+  std::optional<Value> variable_operand();
+  Symbol* variable(SourceRange& where);
+  Symbol* instance_here();
+  void call(const Operator& op, SourceRange where);
+  void pin_operator(const Operator& op, Symbol& instance, SourceRange where);
+  void function(SourceRange where);
+  bool arguments(std::vector<iec::Argument>& list);
+  bool argument(std::vector<iec::Argument>& list);
+
+  void fail(std::string_view code, SourceRange where, std::string message);
+  bool known(SourceRange where, const iec::Type& type, std::string_view what);
+  bool known(SourceRange where);
+  bool plain(std::string_view name, SourceRange where);
+  void set_value(std::optional<Value> value);
+  void forget() { state_ = State::None; }
+
+  Cursor cursor_;
+  Scope& scope_;
+  Context base_;         // where the list began
   bool failed_ = false;  // in this line
   std::unordered_map<std::string, Label> labels_;
   std::size_t open_jumps_ = 0;
-  Expression stack_;  // open parentheses' values, then the accumulator's
-  std::vector<Frame> frames_;
+  std::vector<Frame> frames_;  // open parentheses
   State state_ = State::None;
+  Value value_;            // the current result
   std::string_view kept_;  // the last bit that keeps a result
-  Kind kind_ = Kind::Bool;
 };
 
 }  // namespace rung::il_iec

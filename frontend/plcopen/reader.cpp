@@ -13,7 +13,8 @@ namespace rung {
 namespace {
 
 void read_file(const SourceSet& sources, FileId file,
-               const Semantics& semantics, Ast& ast, ErrorLimit& errors) {
+               const Semantics& semantics, std::string_view pou, Ast& ast,
+               ErrorLimit& errors) {
   const std::string_view text = sources[file].text();
   const plcopen::Xml xml(text, file, errors);
   if (!xml.root()) return;
@@ -24,7 +25,10 @@ void read_file(const SourceSet& sources, FileId file,
     plcopen::note_members(line.text, project);
   }
   if (errors.has_errors()) return;
-  const iec::ExpandOptions options = {.dialect = semantics.elements};
+  const iec::ExpandOptions options = {
+      .dialect = semantics.elements,
+      .separate_sizes = semantics.name == "openplc",
+      .pou = pou};
   const iec::Pou* const main =
       iec::main_pou(project, options, errors, {file, 0, 0});
   if (main != nullptr) iec::expand(project, *main, options, ast, errors);
@@ -64,7 +68,7 @@ Ast read_plcopen(const SourceSet& sources, FileId file,
     return ast;
   }
   ErrorLimit errors(sink);
-  read_file(sources, file, semantics, ast, errors);
+  read_file(sources, file, semantics, options.pou, ast, errors);
   std::stable_sort(ast.annotations.begin(), ast.annotations.end(),
                    [](const AstAnnotation& a, const AstAnnotation& b) {
                      return a.where.begin < b.where.begin;

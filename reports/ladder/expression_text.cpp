@@ -63,6 +63,7 @@ Infix infix(NodeOp op) {
     case NodeOp::Not:
     case NodeOp::Negate:
     case NodeOp::Wrap16:
+    case NodeOp::Wrap:
     case NodeOp::ToWord:
     case NodeOp::ToBit:
     case NodeOp::Call:
@@ -123,6 +124,7 @@ class Printer {
       case NodeOp::Negate:
         return {"-" + enclosed(at(node.a), Strength::Unary), Strength::Unary};
       case NodeOp::Wrap16:
+      case NodeOp::Wrap:
       case NodeOp::ToWord:
         return at(node.a);  // a conversion that scripts do not write
       case NodeOp::ToBit:

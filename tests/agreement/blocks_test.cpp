@@ -51,6 +51,18 @@ const std::vector<Diagram> kDiagrams = {
     {"f-trig", {"1100"}, "0010", {}},
     {"sr", {"010010", "001010"}, "010011", {}},
     {"rs", {"010010", "001010"}, "010000", {}},
+    // matiec: what it shows at these times is the same.
+    {"ton-matiec", {"0111110110"}, "0000110000", {}},
+    {"tof-matiec", {"0010000001"}, "0011110001", {}},
+    {"tof-matiec", {"0000"}, "0000", {}},
+    {"tp-matiec", {"0100000111111001"}, "0111000111000001", {}},
+    {"ctu-matiec", {"01010100", "00000010"}, "00011100", {2}},
+    {"ctd-matiec", {"001010100", "010000000"}, "100011111", {2}},
+    // ESBMC counts the first scan, and knows no pulse.
+    {"ton-esbmc", {"0111110110"}, "0001110000", {}},
+    {"tof-esbmc", {"0010000001"}, "0011100001", {}},
+    {"tp-esbmc", {"0111110110"}, "0001110000", {}},
+    {"f-trig-esbmc", {"00110"}, "00001", {}},
 };
 
 class BlockDiagram : public testing::TestWithParam<Diagram> {};
@@ -102,6 +114,26 @@ TEST(Blocks, UpDownCounterLoadsResetsAndIgnoresDoubleEdges) {
     EXPECT_EQ(simulator.value(find_cell(program, "CTUD.CV")), value) << levels;
     EXPECT_EQ(simulator.value(find_cell(program, "CTUD.QD")), value <= 0);
     EXPECT_EQ(simulator.value(find_cell(program, "Q")), value >= 2);
+  }
+}
+
+// lib/counter.txt: at PV and at 0 there is no further.
+TEST(Blocks, CountersOfMatiecStopAtTheirEnds) {
+  const Program program = single_block("ctud-matiec");
+  Simulator simulator(program);
+  // CU CD R LD, and CV after it; PV is 2.
+  const std::vector<std::pair<std::string, int>> scans = {
+      {"1000", 1}, {"0000", 1}, {"1000", 2}, {"0000", 2}, {"1000", 2},
+      {"0010", 0}, {"0100", 0}, {"0001", 2}, {"1100", 2}};
+  for (const auto& [levels, value] : scans) {
+    std::size_t row = 0;
+    for (const CellId id : ids_of(program.cells)) {
+      if (program.cells[id].role != CellRole::Input) continue;
+      const bool word = program.cells[id].type == Type::Word;
+      simulator.set_input(id, word ? 2 : (levels[row++] == '1' ? 1 : 0));
+    }
+    simulator.scan(10);
+    EXPECT_EQ(simulator.value(find_cell(program, "CTUD.CV")), value) << levels;
   }
 }
 

@@ -45,6 +45,7 @@ std::string_view spelling(NodeOp op) {
     case NodeOp::Negate:
       return "neg";
     case NodeOp::Wrap16:
+    case NodeOp::Wrap:
       return "wrap";
     case NodeOp::ToWord:
       return "word";

@@ -14,7 +14,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data,
   const rung::FileId file = sources.add("fuzz", std::string(data, data + size));
   rung::is_il_iec(sources[file].text());
   rung::DiagnosticList list;
-  const rung::Ast ast = rung::read_il_iec(sources, file, list);
+  const rung::Ast ast = rung::read_il_iec(sources, file, {}, list);
   check_diagnostics(sources, list);
   if (list.has_errors()) return 0;
   const rung::Program program = rung::build_program(ast, {}, list);
