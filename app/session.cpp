@@ -6,6 +6,7 @@
 #include <filesystem>
 
 #include "app/output.h"
+#include "frontend/props_yaml.h"
 
 namespace rung {
 namespace {
@@ -41,7 +42,16 @@ Session::Session(const Options& options)
           fmt::format("--props {}: {}", options.props, props.error->message);
       return;
     }
-    extra_ = property_lines(sources_, props.file);
+    FileId lines = props.file;
+    if (is_properties_yaml(sources_[lines].text())) {
+      YamlProperties made = read_properties_yaml(sources_[lines].text());
+      if (!made.error.empty()) {
+        error_ = fmt::format("--props {}: {}", options.props, made.error);
+        return;
+      }
+      lines = sources_.add(options.props, std::move(made.lines));
+    }
+    extra_ = property_lines(sources_, lines);
   }
   if (!options.revision.empty() && options.files.size() == 1) {
     inputs_.push_back(

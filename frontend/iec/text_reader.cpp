@@ -269,17 +269,17 @@ class UnitReader {
   std::vector<Task> tasks_;
 };
 
-/// `language` lines have been obeyed; the others are properties.
+}  // namespace
+
 void take_comments(const TokenList& list, Ast& ast) {
   for (const AstAnnotation& line : list.annotations) {
     const std::string_view word =
         line.text.substr(0, line.text.find_first_of(" \t"));
     if (word != "language") ast.annotations.push_back(line);
   }
-  ast.comments = list.comments;
+  ast.comments.insert(ast.comments.end(), list.comments.begin(),
+                      list.comments.end());
 }
-
-}  // namespace
 
 void read_units(std::shared_ptr<const TokenList> list, Project& project,
                 ErrorLimit& errors) {

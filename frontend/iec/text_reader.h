@@ -15,6 +15,9 @@ namespace rung::iec {
 void read_units(std::shared_ptr<const TokenList> list, Project& project,
                 ErrorLimit& errors);
 
+/// Adds comments and property lines; lines `language` have been obeyed.
+void take_comments(const TokenList& list, Ast& ast);
+
 /// The preset that is asked for, `iec` where none is; it is set in `ast` too.
 ExpandOptions expand_options(const ReadOptions& options, Ast& ast);
 /// The scan takes what the program's task says, if there is one.

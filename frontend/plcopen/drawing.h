@@ -109,7 +109,7 @@ class DrawingRun {
 
   // The second pass (drawing_values.cpp).
   std::optional<iec::Value> value_of(const Pin& pin, Index flow);
-  Node resolve(const Wire& wire, Index flow) const;
+  Node resolve(const Wire& wire, Index flow);
   void collect(const Node& root, Uses& uses, std::vector<Node>& order);
   const std::vector<Wire>& wires_of(const Node& node) const;
   std::optional<iec::Value> take(const Node& node, Uses& uses);

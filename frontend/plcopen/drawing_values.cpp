@@ -3,6 +3,7 @@
 
 #include "frontend/iec/token.h"
 #include "frontend/plcopen/drawing.h"
+#include "frontend/st/expression_parser.h"
 #include "frontend/token_list.h"
 
 namespace rung::plcopen {
@@ -35,9 +36,9 @@ std::optional<Value> DrawingRun::value_of(const Pin& pin, Index flow) {
 }
 
 /// What a wire comes from, past coils and connectors that only pass one on.
-DrawingRun::Node DrawingRun::resolve(const Wire& wire, Index flow) const {
+DrawingRun::Node DrawingRun::resolve(const Wire& wire, Index flow) {
   Wire at = wire;
-  for (;;) {
+  while (scope_->step(wire.where)) {
     const Element& element = graph_->elements[at.source];
     Index owner = at.source;
     if (element.kind == ElementKind::Continuation) {
@@ -51,15 +52,16 @@ DrawingRun::Node DrawingRun::resolve(const Wire& wire, Index flow) const {
     if (wires.size() != 1) return {owner, 0, flow};
     at = wires.front();
   }
+  return {at.source, at.output, flow};  // too large: an error was said
 }
 
 const std::vector<Wire>& DrawingRun::wires_of(const Node& node) const {
-  static const std::vector<Wire> kNone;
+  static const std::vector<Wire> none;
   const Element& element = graph_->elements[node.element];
   const bool passes = element.kind == ElementKind::Contact ||
                       element.kind == ElementKind::Coil ||
                       element.kind == ElementKind::Connector;
-  return passes ? element.inputs.front().wires : kNone;
+  return passes ? element.inputs.front().wires : none;
 }
 
 /// The nodes below `root`, each once, what it needs before it.
@@ -192,17 +194,22 @@ std::optional<Value> DrawingRun::as_bit(std::optional<Value> value,
   return scope_->convert(std::move(*value), iec::kBool, where);
 }
 
-/// A variable or a literal at a contact or an inVariable.
+/// An expression of structured text at a contact or an inVariable: mostly a
+/// variable or a literal.
 std::optional<Value> DrawingRun::operand(const Text& text) {
-  const std::string upper = iec::upper(text.text);
-  const char first = text.text.empty() ? ' ' : text.text.front();
-  const bool number = (first >= '0' && first <= '9') || first == '-' ||
-                      first == '+' || first == '\'' || first == '"' ||
-                      text.text.find('#') != std::string_view::npos;
-  if (number || upper == "TRUE" || upper == "FALSE") {
-    return scope_->literal(text.text, text.where);
-  }
-  return scope_->read(text.text, text.where);
+  // The file up to here: so the tokens have their places.
+  const std::string_view file(text.text.data() - text.where.begin,
+                              text.where.end);
+  const iec::TokenList list =
+      iec::tokenize(file, text.where.file, text.where.begin);
+  iec::Cursor cursor(list);
+  cursor.skip_line_ends();
+  auto value = st::ExpressionParser(cursor, *scope_).expression();
+  cursor.skip_line_ends();
+  if (!value || cursor.at(iec::TokenKind::End)) return value;
+  scope_->fail("RP095", text.where,
+               quoted_excerpt(text.text) + " is no expression");
+  return std::nullopt;
 }
 
 }  // namespace rung::plcopen

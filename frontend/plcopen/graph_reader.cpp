@@ -11,6 +11,9 @@ namespace {
 
 using pugi::xml_node;
 
+/// Outputs are looked for one by one.
+constexpr std::size_t kMostPins = 1000;
+
 bool says_nothing(std::string_view name) {
   return name == "position" || name == "relPosition" ||
          name == "documentation" || name == "size";
@@ -329,6 +332,10 @@ void GraphReader::read_pins(xml_node list, std::uint32_t block, bool inputs) {
       } else if (!says_nothing(name)) {
         xml_->refuse(child);
       }
+    }
+    if (graph_.elements[block].outputs.size() >= kMostPins) {
+      xml_->error("RP094", node, "a block with so many outputs");
+      return;
     }
     if (inputs) {
       read_input(point, block, std::move(pin));

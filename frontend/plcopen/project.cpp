@@ -5,10 +5,13 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
+#include "frontend/iec/bodies.h"
 #include "frontend/iec/scope.h"
+#include "frontend/iec/text_reader.h"
 #include "frontend/iec/token.h"
 #include "frontend/plcopen/drawing.h"
 #include "frontend/plcopen/graph_reader.h"
@@ -231,50 +234,79 @@ class ProjectReader {
     const std::string_view language = local_name(content);
     if (language == "LD" || language == "FBD") {
       read_drawing(content, pou);
+    } else if (language == "ST" || language == "IL") {
+      read_text(content, pou, language == "ST");
     } else {
       xml_->refuse(content);
     }
   }
 
+  void read_text(xml_node content, iec::Pou& pou, bool structured) {
+    const Text text = xml_->text_of(content);
+    auto list = std::make_shared<const iec::TokenList>(iec::tokenize(
+        *xml_->readable(), text.where.file, text.where.begin, text.where.end));
+    if (list->open_comment.has_value()) {
+      xml_->errors().error("RP007", list->open_comment,
+                           "this comment is not closed");
+    }
+    iec::take_comments(*list, *ast_);
+    iec::note_mentions(*list, project_);
+    const std::size_t end = list->tokens.size() - 1;
+    pou.body = structured ? iec::structured_text(std::move(list), 0, end)
+                          : iec::instruction_list(std::move(list), 0, end);
+  }
+
   void read_drawing(xml_node content, iec::Pou& pou) {
     auto drawing = std::make_shared<const Drawing>(make_drawing(
         GraphReader(*xml_).read(content), *semantics_, xml_->errors()));
+    std::unordered_map<std::string, std::size_t> declared;
+    for (std::size_t at = 0; at < pou.variables.size(); ++at) {
+      declared.emplace(iec::upper(pou.variables[at].name), at);
+    }
     for (const Element& element : drawing->graph.elements) {
-      if (element.kind == ElementKind::Block) note_block(element, pou);
-      note_members(element.text.text, project_);
+      iec::note_mentions(element.text.text, project_);
+      if (element.kind != ElementKind::Block) continue;
+      note_pins(element);
+      if (!element.instance.empty()) note_instance(element, declared, pou);
     }
     pou.body = [drawing](iec::Scope& scope) {
       DrawingRun(*drawing, scope).run();
     };
   }
 
-  /// ESBMC's files leave the declaration of instances out.
-  void note_block(const Element& block, iec::Pou& pou) {
+  void note_pins(const Element& block) {
     for (const auto* const pins : {&block.inputs, &block.outputs}) {
       for (const Pin& pin : *pins) {
-        project_.mentioned.insert(iec::upper(pin.name));
+        const std::string name = iec::upper(pin.name);
+        project_.mentioned.insert(name);
+        // What takes the block's values looks at ENO, drawn or not.
+        if (name == "EN") project_.mentioned.insert("ENO");
       }
     }
-    if (block.instance.empty()) return;
-    const std::string name = iec::upper(block.instance);
-    const auto known = std::find_if(
-        pou.variables.begin(), pou.variables.end(),
-        [&](const iec::Variable& one) { return iec::upper(one.name) == name; });
-    if (known == pou.variables.end()) {
+  }
+
+  /// ESBMC's files leave the declaration of instances out.
+  void note_instance(const Element& block,
+                     std::unordered_map<std::string, std::size_t>& declared,
+                     iec::Pou& pou) {
+    const auto [known, fresh] =
+        declared.emplace(iec::upper(block.instance), pou.variables.size());
+    if (fresh) {
       pou.variables.push_back({.name = block.instance,
                                .type = block.type,
                                .where = block.where,
                                .type_where = block.where});
-    } else if (iec::upper(known->type) != iec::upper(block.type)) {
-      xml_->errors().error(
-          "RP095", block.where,
-          shown(block) + " is declared as " + quoted_excerpt(known->type),
-          {{known->where, "declared here"}});
+      return;
     }
+    const iec::Variable& variable = pou.variables[known->second];
+    if (iec::upper(variable.type) == iec::upper(block.type)) return;
+    xml_->errors().error(
+        "RP095", block.where,
+        shown(block) + " is declared as " + quoted_excerpt(variable.type),
+        {{variable.where, "declared here"}});
   }
 
-  /// configurations/configuration/resource: globals, tasks and programs. Tasks
-  /// that have their own intervals are not told apart: a scan runs them all.
+  /// configurations/configuration/resource: globals, tasks and programs.
   void read_instances(xml_node instances) {
     std::vector<xml_node> open = elements_of(instances);
     std::reverse(open.begin(), open.end());
@@ -289,13 +321,30 @@ class ProjectReader {
       } else if (name == "globalVars") {
         read_section(node, Role::Global, project_.globals);
       } else if (name == "pouInstance") {
-        iec::ProgramInstance& instance = project_.instances.emplace_back();
-        instance.name = xml_->attribute(node, "name").text;
-        instance.type = xml_->attribute(node, "typeName").text;
-        instance.where = xml_->range(node);
+        read_instance(node);
       } else if (!says_nothing(name)) {
         xml_->refuse(node);
       }
+    }
+  }
+
+  void read_instance(xml_node node) {
+    xml_->allow_attributes(node, {"name", "typeName", "type", "globalId"});
+    iec::ProgramInstance& instance = project_.instances.emplace_back();
+    instance.name = xml_->attribute(node, "name").text;
+    instance.type = xml_->attribute(node, "typeName").text;
+    instance.where = xml_->range(node);
+    const xml_node task = node.parent();
+    if (local_name(task) != "task") return;
+    xml_->allow_attributes(task, {"name", "interval", "priority", "globalId"});
+    const Text interval = xml_->attribute(task, "interval");
+    if (interval.text.empty()) return;
+    instance.interval_ms = iec::milliseconds_of(interval.text);
+    if (!instance.interval_ms || *instance.interval_ms == 0) {
+      xml_->errors().error("RP095", interval.where,
+                           quoted_excerpt(interval.text) +
+                               " is no interval: whole milliseconds, such as "
+                               "T#20ms");
     }
   }
 
@@ -306,18 +355,6 @@ class ProjectReader {
 };
 
 }  // namespace
-
-void note_members(std::string_view text, iec::Project& project) {
-  for (std::size_t at = text.find('.'); at != std::string_view::npos;
-       at = text.find('.', at + 1)) {
-    const std::size_t end =
-        std::min(text.find_first_not_of("ABCDEFGHIJKLMNOPQRSTUVWXYZ"
-                                        "abcdefghijklmnopqrstuvwxyz0123456789_",
-                                        at + 1),
-                 text.size());
-    project.mentioned.insert(iec::upper(text.substr(at + 1, end - at - 1)));
-  }
-}
 
 iec::Project read_project(const Xml& xml, const Semantics& semantics,
                           Ast& ast) {

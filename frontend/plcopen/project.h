@@ -15,9 +15,6 @@ namespace rung::plcopen {
 ///         those of the bodies.
 iec::Project read_project(const Xml& xml, const Semantics& semantics, Ast& ast);
 
-/// The members of instances that a text speaks of (`timer.ET`) must be there.
-void note_members(std::string_view text, iec::Project& project);
-
 /// Property lines and comments: of XML, and those that are drawn.
 void read_comments(const Xml& xml, Ast& ast);
 

@@ -6,6 +6,8 @@
 
 #include "frontend/encoding.h"
 #include "frontend/error_limit.h"
+#include "frontend/iec/bodies.h"
+#include "frontend/iec/text_reader.h"
 #include "frontend/plcopen/project.h"
 #include "frontend/plcopen/xml.h"
 
@@ -13,25 +15,23 @@ namespace rung {
 namespace {
 
 void read_file(const SourceSet& sources, FileId file,
-               const Semantics& semantics, std::string_view pou, Ast& ast,
-               ErrorLimit& errors) {
+               const ReadOptions& options, Ast& ast, ErrorLimit& errors) {
   const std::string_view text = sources[file].text();
   const plcopen::Xml xml(text, file, errors);
   if (!xml.root()) return;
   ast.made_names.push_back(xml.readable());
+  const iec::ExpandOptions expansion = iec::expand_options(options, ast);
+  iec::Project project = plcopen::read_project(xml, *options.semantics, ast);
   plcopen::read_comments(xml, ast);
-  iec::Project project = plcopen::read_project(xml, semantics, ast);
   for (const AstAnnotation& line : ast.annotations) {
-    plcopen::note_members(line.text, project);
+    iec::note_mentions(line.text, project);
   }
   if (errors.has_errors()) return;
-  const iec::ExpandOptions options = {
-      .dialect = semantics.elements,
-      .separate_sizes = semantics.name == "openplc",
-      .pou = pou};
   const iec::Pou* const main =
-      iec::main_pou(project, options, errors, {file, 0, 0});
-  if (main != nullptr) iec::expand(project, *main, options, ast, errors);
+      iec::main_pou(project, expansion, errors, {file, 0, 0});
+  if (main == nullptr) return;
+  iec::expand(project, *main, expansion, ast, errors);
+  iec::take_interval(project, *main, ast);
 }
 
 constexpr std::string_view kBlanks = " \t\r\n\f";
@@ -54,21 +54,17 @@ bool is_plcopen(std::string_view text) {
 
 Ast read_plcopen(const SourceSet& sources, FileId file,
                  const ReadOptions& options, DiagnosticSink& sink) {
-  const Semantics& semantics = options.semantics != nullptr
-                                   ? *options.semantics
-                                   : *find_semantics("openplc");
+  ReadOptions chosen = options;
+  if (chosen.semantics == nullptr) chosen.semantics = find_semantics("openplc");
   Ast ast;
   ast.file = file;
   ast.language = "plcopen";
-  ast.dialect = semantics.elements;
-  ast.semantics = semantics.name;
-  ast.evaluation = Evaluation::ShortCircuit;
   if (auto error = check_text(sources, file)) {
     sink.report(std::move(*error));
     return ast;
   }
   ErrorLimit errors(sink);
-  read_file(sources, file, semantics, options.pou, ast, errors);
+  read_file(sources, file, chosen, ast, errors);
   std::stable_sort(ast.annotations.begin(), ast.annotations.end(),
                    [](const AstAnnotation& a, const AstAnnotation& b) {
                      return a.where.begin < b.where.begin;

@@ -49,5 +49,17 @@ TEST(ScriptCodes, AreDocumented) {
   EXPECT_EQ(reported, documented);
 }
 
+TEST(PlcopenCodes, AreDocumented) {
+  const fs::path root = RUNG_SOURCE_DIR;
+  std::set<std::string> reported;
+  for (const auto& entry : fs::directory_iterator(root / "frontend/plcopen")) {
+    collect(text_of(entry.path()), "\"", reported);
+  }
+  std::set<std::string> documented;
+  collect(text_of(root / "docs/languages/plcopen.md"), "\n| ", documented);
+  EXPECT_GT(reported.size(), 5U);
+  EXPECT_EQ(reported, documented);
+}
+
 }  // namespace
 }  // namespace rung::test

@@ -401,6 +401,61 @@ TEST(PlcopenReader, ErrorsHaveTheirPlace) {
   EXPECT_EQ(xml.problems(), "RP094[SFC] `SFC` in `body` is not supported\n");
 }
 
+std::string task(std::string_view interval, std::string_view type = "main") {
+  return "<instances><configurations><configuration name=\"c\"><resource "
+         "name=\"r\"><task name=\"t\" interval=\"" +
+         std::string(interval) + "\"><pouInstance name=\"i\" typeName=\"" +
+         std::string(type) +
+         "\"/></task></resource></configuration></configurations></instances>";
+}
+
+TEST(PlcopenReader, UnitsInTextAreReadWhereTheyStand) {
+  const std::string block =
+      "<pou name=\"latch\" pouType=\"functionBlock\"><interface>" +
+      variables("inputVars", "s r") + variables("outputVars", "y") +
+      "</interface><body><ST><xhtml:p>IF s &amp; NOT r\nTHEN <br/>y := s;"
+      " END_IF;</xhtml:p></ST></body></pou>";
+  const std::string main =
+      "<pou name=\"main\" pouType=\"program\"><interface>" +
+      variables("inputVars", "a b") + variables("outputVars", "q") +
+      variables("localVars", "l", "<derived name=\"latch\"/>") +
+      "</interface><body><LD><leftPowerRail localId=\"1\"/>" +
+      contact("2", "a", "1") + contact("3", "b", "1") +
+      ::rung::test::block("4", "latch", "l", input("s", "2") + input("r", "3"),
+                          "y") +
+      coil("5", "q", "4") + "</LD></body></pou>";
+  const Xml xml(project(block + main, task("T#20ms")));
+  EXPECT_EQ(xml.problems(), "");
+  EXPECT_NE(xml.rungs().find("l.s=a | l.r=b"), std::string::npos);
+  EXPECT_NE(xml.rungs().find("(&& l.s (! l.r))"), std::string::npos);
+  EXPECT_TRUE(xml.rungs().ends_with("q=l.y"));
+  // Places are those of the file: `&gt;=` is `>=` at its end.
+  EXPECT_EQ(Xml(project(program("<ST><p>q := a &gt;= b;</p></ST>"))).problems(),
+            "RP049[;=] GE of two BOOL is not supported\n");
+}
+
+TEST(PlcopenReader, ABodyInText) {
+  const Xml xml(project(program("<ST><xhtml:p><![CDATA[//@ never q && !a\n"
+                                "q := a AND n < 3; (* a comment *)]]>"
+                                "</xhtml:p></ST>"),
+                        task("T#20ms")));
+  EXPECT_EQ(xml.problems(), "");
+  EXPECT_EQ(xml.rungs(), "q=(&& a (< n 3))");
+  EXPECT_EQ(xml.ast.annotations.size(), 1U);
+  EXPECT_EQ(xml.ast.comments.size(), 1U);
+  EXPECT_EQ(xml.ast.scan_min_ms, 20);
+  EXPECT_EQ(xml.ast.scan_max_ms, 20);
+  EXPECT_EQ(rungs(project(program("<ST><p>q := n &lt;&gt; 3;</p></ST>"))),
+            "q=(!= n 3)");
+  EXPECT_EQ(rungs(project(program("<IL><p>LD a\nANDN b\nST q</p></IL>"))),
+            "q=(&& a (! b))");
+}
+
+TEST(PlcopenReader, ExpressionsAtVariables) {
+  EXPECT_EQ(rungs(ld(in_variable("2", "n &gt; 3 OR a") + coil("3", "q", "2"))),
+            "q=(|| (> n 3) a)");
+}
+
 struct Refused {
   std::string_view code;
   std::string text;
@@ -504,7 +559,7 @@ std::vector<Refused> refused_files() {
       {"RP044", ld(power + coil("3", "b", "2"))},
       {"RP049", ld(contact("2", "n", "1") + coil("3", "q", "2"))},
       {"RP049", ld(power + coil("3", "w", "2"))},
-      {"RP043", ld(in_variable("2", "'text'") + out_variable("3", "w", "2"))},
+      {"RP041", ld(in_variable("2", "'text'") + out_variable("3", "w", "2"))},
       {"RP041", ld(power + block("4", "FROB", "", input("IN", "2"), "OUT") +
                    coil("5", "q", "4"))},
       {"RP041", ld(power + block("4", "FROB", "g", input("IN", "2"), "Q") +
@@ -512,6 +567,20 @@ std::vector<Refused> refused_files() {
       {"RP049", ld(power + block("4", "SR", "f", input("S9", "2"), "Q1") +
                    coil("5", "q", "4"))},
       {"RP041", project("")},
+      {"RP095", ld(contact("2", "a b", "1") + coil("3", "q", "2"))},
+      {"RP095", ld(in_variable("2", "a; q := a") + coil("3", "q", "2"))},
+      {"RP047", ld(in_variable("2", "(a") + coil("3", "q", "2"))},
+      {"RP095", ld(in_variable("2", "a) OR (b") + coil("3", "q", "2"))},
+      // Units in text.
+      {"RP007", project(program("<ST><p>q := a; (* open</p></ST>"))},
+      {"RP041",
+       project(program("<ST><p>WHILE a DO q := b; END_WHILE;</p></ST>"))},
+      {"RP041", project(program("<ST><p>q := nobody;</p></ST>"))},
+      {"RP094", project(program("<ST><table>q := a;</table></ST>"))},
+      {"RP095", project(program("<LD/><ST/>"))},
+      {"RP095", project(program("<ST><p>q := a;</p></ST>"), task("PT20S"))},
+      {"RP095", project(program("<ST><p>q := a;</p></ST>"), task("T#0ms"))},
+      {"RP041", project(program("<ST><p>q := a;</p></ST>"), task("T#1s", "x"))},
   };
 }
 
