@@ -45,6 +45,7 @@ class MitsubishiWriter {
       comment("of the source: " + line);
     }
     first_values();
+    never_written();
     for (const Statement& item : unit_.statements) {
       open_rung(item.rung.index());
       statement(item);
@@ -83,6 +84,23 @@ class MitsubishiWriter {
       if (!any) line("LD", "M8002");
       any = true;
       line("SET", variable.name);
+    }
+  }
+
+  // Else the list might not name it at all.
+  void never_written() {
+    std::vector<bool> written(unit_.variables.size(), false);
+    for (const Statement& item : unit_.statements) {
+      if (item.target.has_value()) written[item.target.index()] = true;
+    }
+    for (const CellId id : ids_of(unit_.variables)) {
+      const Variable& variable = unit_.variables[id];
+      if (variable.role != CellRole::Output || written[id.index()] ||
+          variable.initial != 0) {
+        continue;
+      }
+      line("LD", "M8001");
+      line("OUT", variable.name);
     }
   }
 
