@@ -136,6 +136,7 @@ class DeclaredBuilder {
     program_.evaluation = ast_.evaluation;
     program_.scan = {ast_.scan_min_ms, ast_.scan_max_ms};
     program_.annotations = ast_.annotations;
+    program_.texts = ast_.made_names;
     program_.comments = ast_.comments;
     declare();
     mark_nodes();

@@ -4,6 +4,7 @@
 #include "analysis/element.h"
 #include "analysis/elements_iec.h"
 #include "analysis/elements_ldmicro.h"
+#include "analysis/elements_logix.h"
 #include "analysis/elements_matiec.h"
 #include "analysis/elements_melsec.h"
 #include "analysis/elements_plclib.h"
@@ -253,7 +254,8 @@ constexpr auto kKinds = [] {
   std::array<ElementKind, kScriptKinds.size() + iec::kKinds.size() +
                               matiec::kKinds.size() + melsec::kKinds.size() +
                               ldmicro_elements::kKinds.size() +
-                              plclib::kKinds.size() + s7::kKinds.size()>
+                              plclib::kKinds.size() + s7::kKinds.size() +
+                              logix::kKinds.size()>
       all = {};
   std::size_t count = 0;
   for (const ElementKind& kind : kScriptKinds) all[count++] = kind;
@@ -263,6 +265,7 @@ constexpr auto kKinds = [] {
   for (const ElementKind& kind : ldmicro_elements::kKinds) all[count++] = kind;
   for (const ElementKind& kind : plclib::kKinds) all[count++] = kind;
   for (const ElementKind& kind : s7::kKinds) all[count++] = kind;
+  for (const ElementKind& kind : logix::kKinds) all[count++] = kind;
   return all;
 }();
 

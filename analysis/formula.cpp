@@ -185,6 +185,23 @@ class Lexer {
     return begin == at_ && !word.empty() ? 0 : 1;
   }
 
+  // `.member`, `.3`, `[3]`: what addresses and tags have behind a name.
+  void members() {
+    while (true) {
+      if (peek() == '.' && is_name_part(peek(1))) {
+        ++at_;
+        while (is_name_part(peek())) ++at_;
+      } else if (peek() == '[' && is_digit(peek(1))) {
+        std::size_t end = 1;
+        while (is_digit(peek(end))) ++end;
+        if (peek(end) != ']') return;
+        at_ += end + 1;
+      } else {
+        return;
+      }
+    }
+  }
+
   Token name() {
     const std::size_t begin = at_;
     while (is_name_part(peek())) ++at_;
@@ -202,10 +219,7 @@ class Lexer {
       ++at_;
       return {TokenKind::CallOpen, {.op = FormulaOp::Call, .text = word}};
     }
-    while (peek() == '.' && is_name_part(peek(1))) {
-      ++at_;
-      while (is_name_part(peek())) ++at_;
-    }
+    members();
     while (peek() == '\'') ++at_;
     return {TokenKind::Operand,
             {.op = FormulaOp::Name, .text = text_.substr(begin, at_ - begin)}};

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -162,6 +163,8 @@ struct Program {
   Arena<RungId, Rung> rungs;
   Plant plant;
   std::vector<AstAnnotation> annotations;
+  /// What annotations and comments point into, where that is not the file.
+  std::vector<std::shared_ptr<const std::string>> texts;
   std::vector<AstComment> comments;
 };
 

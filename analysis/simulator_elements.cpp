@@ -5,6 +5,7 @@
 
 #include "analysis/simulator_elements_iec.h"
 #include "analysis/simulator_elements_ldmicro.h"
+#include "analysis/simulator_elements_logix.h"
 #include "analysis/simulator_elements_matiec.h"
 #include "analysis/simulator_elements_melsec.h"
 #include "analysis/simulator_elements_plclib.h"
@@ -182,6 +183,7 @@ std::span<const SimulatedDialect> dialects() {
       simulated_ldmicro(),
       simulated_plclib(),
       simulated_s7(),
+      simulated_logix(),
   };
   return all;
 }

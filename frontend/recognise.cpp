@@ -11,6 +11,7 @@
 #include "frontend/plclib/reader.h"
 #include "frontend/plcopen/reader.h"
 #include "frontend/postfix/reader.h"
+#include "frontend/rockwell/reader.h"
 #include "frontend/script/reader.h"
 #include "frontend/st/reader.h"
 #include "frontend/stl/reader.h"
@@ -105,6 +106,7 @@ constexpr std::array<Names, 1> kMelsecPresets = {"melsec"};
 constexpr std::array<Names, 1> kS7Presets = {"s7"};
 constexpr std::array<Names, 4> kDrawingPresets = {"openplc", "beremiz-py2",
                                                   "esbmc", "iec"};
+constexpr std::array<Names, 1> kLogixPresets = {"logix"};
 constexpr std::array<Names, 1> kAsciiPresets = {"ladder-logic"};
 constexpr std::array<Names, 2> kLdmicroPresets = {"ldmicro0.1", "ldmicro0.2"};
 constexpr std::array<Names, 2> kPlclibPresets = {"plclib14", "plclib"};
@@ -132,6 +134,7 @@ Ast script_reader(const SourceSet& sources, FileId file,
 constexpr std::array kLanguages = {
     Language{"postfix", kScriptPresets, is_postfix, postfix_reader},
     Language{"ldmicro", kLdmicroPresets, is_ldmicro, read_ldmicro},
+    Language{"l5x", kLogixPresets, is_l5x, read_l5x},
     Language{"plcopen", kDrawingPresets, is_plcopen, read_plcopen},
     Language{"plclib", kPlclibPresets, is_plclib, read_plclib},
     Language{"il-mitsubishi", kMelsecPresets, is_il_mitsubishi,
@@ -139,6 +142,7 @@ constexpr std::array kLanguages = {
     Language{"stl", kS7Presets, is_stl, stl_reader},
     Language{"il-iec", kIecPresets, is_il_iec, read_il_iec},
     Language{"st", kIecPresets, is_structured_text, read_structured_text},
+    Language{"rungs", kLogixPresets, is_rungs_text, read_rungs_text},
     Language{"ascii", kAsciiPresets, is_ascii_ladder, read_ascii},
     Language{"classicladder", {}, is_classicladder},
     Language{"vovkplc", {}, is_vovkplc},

@@ -48,6 +48,10 @@ constexpr std::array kPresets = {
               .order = CoilOrder::Position,
               .summary = "Drawn ladders as vdorr's ladder-logic executes them: "
                          "row by row, each row from left to right."},
+    Semantics{.name = "logix",
+              .elements = "logix",
+              .summary = "Ladder routines as Logix controllers execute them; "
+                         "inputs do not change in a scan."},
     Semantics{.name = "ldmicro0.1",
               .elements = "ldmicro",
               .input_image = false,

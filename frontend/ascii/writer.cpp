@@ -20,6 +20,7 @@ Writer::Writer(const Drawing& drawing, const Wires& wires, Cells& cells,
       cells_(cells),
       out_(out),
       errors_(errors),
+      jumps_(out),
       powers_(wires.runs.size() + wires.links.size()),
       joined_(wires.links.size()) {
   for (const Run& run : wires.runs) done_.push_back(run.begin);
@@ -215,8 +216,6 @@ void Writer::timer(const Element& it, Power& power) {
   power.held = q;
 }
 
-// Elements below are executed where the guard is true: no jump over them was
-// taken.
 void Writer::jump(const Element& it, Power& power) {
   const std::vector<Label>& labels = drawing_.labels();
   const bool ahead = std::any_of(
@@ -230,21 +229,7 @@ void Writer::jump(const Element& it, Power& power) {
                       " further down" + did_you_mean(it.operand, known));
     return;
   }
-  Expression taken = expression_of(power, it.where);
-  if (!out_.guard().empty()) {
-    push_leaf(taken, AstOp::Name, out_.guard(), it.where);
-    push_binary(taken, AstOp::And, it.where);
-  }
-  const std::string_view bit = out_.keep("jump", kBitCell, taken, it.where);
-  jumps_[it.operand].push_back(bit);
-  Expression stays;
-  push_leaf(stays, AstOp::Name, bit, it.where);
-  push_unary(stays, AstOp::Not, it.where);
-  if (!out_.guard().empty()) {
-    push_leaf(stays, AstOp::Name, out_.guard(), it.where);
-    push_binary(stays, AstOp::And, it.where);
-  }
-  out_.set_guard(out_.keep("here", kBitCell, stays, it.where));
+  jumps_.jump(it.operand, expression_of(power, it.where), it.where);
 }
 
 void Writer::reach_labels(std::uint32_t row) {
@@ -252,19 +237,7 @@ void Writer::reach_labels(std::uint32_t row) {
   for (; next_label_ < labels.size() && labels[next_label_].row < row;
        ++next_label_) {
     const Label& label = labels[next_label_];
-    const auto taken = jumps_.find(label.name);
-    if (taken == jumps_.end()) continue;
-    const SourceRange where = range_of({label.row, 0});
-    Expression here;
-    push_leaf(here, AstOp::Name, out_.guard(), where);
-    for (const std::string_view bit : taken->second) {
-      push_leaf(here, AstOp::Name, bit, where);
-      push_binary(here, AstOp::Or, where);
-    }
-    jumps_.erase(taken);
-    const bool all = jumps_.empty();  // every jump has arrived
-    out_.set_guard(all ? std::string_view{}
-                       : out_.keep("here", kBitCell, here, where));
+    jumps_.arrive(label.name, range_of({label.row, 0}));
   }
 }
 

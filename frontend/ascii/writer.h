@@ -1,13 +1,13 @@
 #pragma once
 
 #include <functional>
-#include <map>
 #include <queue>
 #include <string_view>
 #include <utility>
 #include <vector>
 
 #include "frontend/ascii/cells.h"
+#include "frontend/ladder/jumps.h"
 
 namespace rung::ascii {
 
@@ -57,6 +57,7 @@ class Writer {
   Cells& cells_;
   StatementWriter& out_;
   ErrorLimit& errors_;
+  ladder::Jumps jumps_;
   using Event = std::pair<Place, std::uint32_t>;
   std::priority_queue<Event, std::vector<Event>, std::greater<>> events_;
   std::vector<std::uint32_t> done_;     // by run: its next element
@@ -64,7 +65,6 @@ class Writer {
   std::vector<Power> powers_;           // by run, then by link
   std::vector<bool> joined_;            // by link: has power from a run
   std::vector<std::uint32_t> pending_;  // powers that are expressions
-  std::map<std::string_view, std::vector<std::string_view>> jumps_;  // taken
   std::size_t next_label_ = 0;
 };
 

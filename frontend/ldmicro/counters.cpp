@@ -1,5 +1,6 @@
 #include <string>
 
+#include "frontend/ladder/words.h"
 #include "frontend/ldmicro/rung_writer.h"
 #include "frontend/token_list.h"
 
@@ -7,26 +8,11 @@
 // but resets looks at the count it is an element with a clock, else a number.
 
 namespace rung::ldmicro {
-namespace {
 
+using ladder::both;
 using ladder::name_of;
 using ladder::power_of;
-
-/// `left OP right` over words.
-Expression both(const Expression& left, AstOp op, const Expression& right,
-                SourceRange where) {
-  Expression nodes = left;
-  push_all(nodes, right);
-  push_binary(nodes, op, where);
-  return nodes;
-}
-
-Expression word_of(Expression bit, SourceRange where) {
-  push_conversion(bit, "to_word", where);
-  return bit;
-}
-
-}  // namespace
+using ladder::word_of;
 
 // --- timers ------------------------------------------------------------------
 
@@ -105,7 +91,7 @@ void RungWriter::counted_timer(const Instruction& it, std::int64_t scans) {
   if (it.kind->op != Op::TimerRetentive) {  // 0 while it does not time
     next = both(word_of(counts, where), AstOp::Multiply, next, where);
   }
-  names_.wrap(next, cell.shape, where);
+  ladder::wrap(next, cell.bits(), where);
   out_.assign(cell.name, true, name.where, next, where);
   flow_.set(name_of(result, where));
 }
@@ -160,7 +146,7 @@ void RungWriter::count_to(const Instruction& it, const Names::Integer& cell,
            both(count, up ? AstOp::Less : AstOp::Greater, limit, where), where);
   Expression next = both(count, up ? AstOp::Add : AstOp::Subtract,
                          word_of(more, where), where);
-  names_.wrap(next, cell.shape, where);
+  ladder::wrap(next, cell.bits(), where);
   out_.assign(cell.name, true, it.operands[0].where, next, where);
   flow_.set(
       both(count, up ? AstOp::GreaterEqual : AstOp::Greater, limit, where));
@@ -177,7 +163,7 @@ void RungWriter::count_round(const Instruction& it, const Names::Integer& cell,
   push_leaf(one, AstOp::Number, "1", where);
   Expression next = both(name_of(cell.name, name),
                          up ? AstOp::Add : AstOp::Subtract, one, where);
-  names_.wrap(next, cell.shape, where);
+  ladder::wrap(next, cell.bits(), where);
   const std::string_view stepped = out_.keep("next", cell.shape, next, where);
   const std::string_view around =
       out_.keep("around", kBitCell,

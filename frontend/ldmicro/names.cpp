@@ -231,15 +231,4 @@ Expression Names::operand(const Word& word) {
                            : ladder::name_of(cell.name, word.where);
 }
 
-void Names::wrap(Expression& value, const CellShape& shape,
-                 SourceRange where) const {
-  if (shape.high > 127) return push_conversion(value, "wrap16", where);
-  // Eight bits, at the upper end of sixteen.
-  push_leaf(value, AstOp::Number, "256", where);
-  push_binary(value, AstOp::Multiply, where);
-  push_conversion(value, "wrap16", where);
-  push_leaf(value, AstOp::Number, "256", where);
-  push_binary(value, AstOp::Divide, where);
-}
-
 }  // namespace rung::ldmicro

@@ -28,12 +28,11 @@ class Names {
   struct Integer {
     std::string_view name;  // empty after an error
     CellShape shape;
+    std::uint32_t bits() const { return shape.high > 127 ? 16 : 8; }
   };
   Integer integer(const Word& name);
   /// A name or a number, as an expression; empty after an error.
   Expression operand(const Word& word);
-  /// The value that fits the integer, two's complement.
-  void wrap(Expression& value, const CellShape& shape, SourceRange where) const;
 
   /// Only one timer and resets use it, so nothing sees that it is a number.
   bool is_clock(std::string_view name) const;

@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "frontend/ladder/words.h"
 #include "frontend/token_list.h"
 
 namespace rung::ldmicro {
@@ -117,22 +118,22 @@ void RungWriter::coil(const Instruction& it, const Step& step) {
 
 void RungWriter::coil_value(std::string_view target, std::size_t flag,
                             const Instruction& it, const Step& step) {
-  enum : std::size_t { kPlain, kNegated, kSet, kReset, kToggled };
+  enum : std::size_t { Plain, Negated, Set, Reset, Toggled };
   const SourceRange name = it.operands[0].where;
   // The power stands on the left, which is always evaluated: it may be that of
   // a timer.
   Expression value = flow_.use(step);
-  if (flag == kToggled) {
+  if (flag == Toggled) {
     value = out_.call("RISE", value, out_.element("edge", {}, it.where), {},
                       it.where);
   }
-  if (flag == kNegated || flag == kReset) {
+  if (flag == Negated || flag == Reset) {
     push_unary(value, AstOp::Not, it.where);
   }
-  if (flag > kNegated) push_leaf(value, AstOp::Name, target, name);
-  if (flag == kSet) push_binary(value, AstOp::Or, it.where);
-  if (flag == kReset) push_binary(value, AstOp::And, it.where);
-  if (flag == kToggled) push_binary(value, AstOp::Xor, it.where);
+  if (flag > Negated) push_leaf(value, AstOp::Name, target, name);
+  if (flag == Set) push_binary(value, AstOp::Or, it.where);
+  if (flag == Reset) push_binary(value, AstOp::And, it.where);
+  if (flag == Toggled) push_binary(value, AstOp::Xor, it.where);
   out_.assign(target, false, name, value, it.where);
 }
 
@@ -159,7 +160,7 @@ void RungWriter::move(const Instruction& it) {
   Expression value = names_.operand(it.operands[1]);
   if (target.name.empty() || value.empty()) return;
   if (target.shape.high < kInt16Cell.high) {
-    names_.wrap(value, target.shape, it.where);
+    ladder::wrap(value, target.bits(), it.where);
   }
   store(target, value, name.where, it.where);
 }
@@ -189,7 +190,7 @@ void RungWriter::arithmetic(const Instruction& it) {
     push_all(value, right);
     push_binary(value, it.kind->operation, it.where);
   }
-  names_.wrap(value, target.shape, it.where);
+  ladder::wrap(value, target.bits(), it.where);
   store(target, value, it.operands[0].where, it.where);
 }
 

@@ -39,16 +39,58 @@ constexpr std::string_view kSlack =
 constexpr std::string_view kAtPreset =
     "where the elapsed time equals the preset both choices are the same";
 
+constexpr std::string_view kFarEnd =
+    "no run gets there: a count of 32 bits takes 2^31 edges to its end";
+
 constexpr std::string_view kArmed =
     "a pair of timers that is armed does not look at its clock, and starts it";
 
-constexpr std::array<Equivalent, 15> kEquivalent = {{
+constexpr std::array<Equivalent, 28> kEquivalent = {{
     {"ton, TON.ET is `elapsed <= p ? elapsed : p`", kAtPreset},
     {"ton, TON.ET is `elapsed < (p + 1) ? elapsed : p`", kAtPreset},
     {"tof, TOF.ET is `elapsed <= p ? elapsed : p`", kAtPreset},
     {"tof, TOF.ET is `elapsed < (p + 1) ? elapsed : p`", kAtPreset},
     {"tp, TP.ET is `elapsed <= p ? elapsed : p`", kAtPreset},
     {"tp, TP.ET is `elapsed < (p + 1) ? elapsed : p`", kAtPreset},
+    {"rto-logix, RTO, update 1: ACC `!IN || !EN ? ACC : ACC + lap <= p ? ACC + "
+     "lap : p`",
+     kAtPreset},
+    {"rto-logix, RTO, update 1: ACC `!IN || !EN ? ACC : ACC + lap < (p + 1) ? "
+     "ACC + lap : p`",
+     kAtPreset},
+    {"counter-logix, CTU, update 1: ACC `!IN || !up ? ACC : ACC <= 2147483647 "
+     "? ACC + 1 : -2147483648`",
+     kFarEnd},
+    {"counter-logix, CTU, update 1: ACC `!IN || !up ? ACC : ACC < 2147483648 ? "
+     "ACC + 1 : -2147483648`",
+     kFarEnd},
+    {"counter-logix, CTU, update 1: ACC `!IN || !up ? ACC : ACC < (2147483647 "
+     "- 1) ? ACC + 1 : -2147483648`",
+     kFarEnd},
+    {"counter-logix, CTU, update 1: ACC `!IN || !up ? ACC : ACC < 2147483647 ? "
+     "ACC + 1 : 2147483648`",
+     kFarEnd},
+    {"counter-logix, CTU, update 1: ACC `!IN || !up ? ACC : ACC < 2147483647 ? "
+     "ACC + 1 : -2147483649`",
+     kFarEnd},
+    {"counter-logix, CTU, update 1: ACC `!IN || !up ? ACC : ACC < 2147483647 ? "
+     "ACC + 1 : -(2147483648 - 1)`",
+     kFarEnd},
+    {"counter-logix, CTD, update 1: ACC `!IN || !down ? ACC : ACC >= "
+     "-2147483648 ? ACC - 1 : 2147483647`",
+     kFarEnd},
+    {"counter-logix, CTD, update 1: ACC `!IN || !down ? ACC : ACC > "
+     "-2147483649 ? ACC - 1 : 2147483647`",
+     kFarEnd},
+    {"counter-logix, CTD, update 1: ACC `!IN || !down ? ACC : ACC > "
+     "-(2147483648 - 1) ? ACC - 1 : 2147483647`",
+     kFarEnd},
+    {"counter-logix, CTD, update 1: ACC `!IN || !down ? ACC : ACC > "
+     "-2147483648 ? ACC - 1 : 2147483648`",
+     kFarEnd},
+    {"counter-logix, CTD, update 1: ACC `!IN || !down ? ACC : ACC > "
+     "-2147483648 ? ACC - 1 : (2147483647 - 1)`",
+     kFarEnd},
     {"timer-yun, T, update 1: elapsed `!v && !started ? 0 : elapsed`",
      kNotStarted},
     {"timer-yun, T, update 1: elapsed `elapsed'`", kNotStarted},

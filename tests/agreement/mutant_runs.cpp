@@ -179,7 +179,10 @@ std::vector<ProgramRun> mutant_runs(std::uint64_t count) {
   for (std::uint64_t seed = 1; seed <= count; ++seed) {
     std::optional<ProgramRun> run = random_program(seed);
     if (run) runs.push_back(std::move(*run));
+    // There are many dialects, and each has its share of them.
     runs.push_back(random_blocks(seed));
+    runs.push_back(random_blocks(count + seed));
+    runs.push_back(random_blocks(2 * count + seed));
   }
   // Up from the smallest value and down to it again; up to the largest one.
   runs.push_back(counts_both_ways(
