@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <string>
+#include <utility>
 
 #include "base/text.h"
 #include "frontend/token_list.h"
@@ -56,14 +57,17 @@ void Writer::start(std::uint32_t link, SourceRange where) {
   const std::vector<std::uint32_t>& outgoing = wires_.links[link].outgoing;
   Power& power = powers_[wires_.runs.size() + link];
   if (outgoing.size() > 1) keep(power, where);
+  Power shared = std::exchange(power, {});
+  shared.listed = false;
+  // Only what is kept in a bit is copied: that is short.
+  for (std::size_t i = 1; i < outgoing.size(); ++i) {
+    powers_[outgoing[i]] = shared;
+  }
+  if (!outgoing.empty()) powers_[outgoing.front()] = std::move(shared);
   for (const std::uint32_t run : outgoing) {
-    const bool last = run == outgoing.back();
-    powers_[run] = last ? std::move(power) : power;
-    powers_[run].listed = false;
     note(run);
     announce(run);
   }
-  power = {};
 }
 
 void Writer::execute(std::uint32_t run) {
@@ -223,6 +227,7 @@ void Writer::jump(const Element& it, Power& power) {
       [&](const Label& label) { return label.name == it.operand; });
   if (!ahead) {
     std::vector<std::string_view> known;
+    known.reserve(labels.size());
     for (const Label& label : labels) known.push_back(label.name);
     errors_.error("RP089", it.operand_where,
                   "there is no label " + quoted_excerpt(it.operand) +

@@ -185,8 +185,9 @@ std::vector<ProgramRun> mutant_runs(std::uint64_t count) {
     runs.push_back(random_blocks(2 * count + seed));
   }
   // Up from the smallest value and down to it again; up to the largest one.
-  runs.push_back(counts_both_ways(
-      "CTUD at its floor", {"0100", "0011", "0000", "1000", "0000"}, -32768));
+  runs.push_back(counts_both_ways("CTUD at its floor",
+                                  {"01000", "00101", "00000", "10000", "00000"},
+                                  -32768));
   runs.push_back(counts_both_ways(
       "CTUD at its ceiling", {"0101", "0000", "0000", "1000", "0000"}, 32766));
   runs.push_back(counts_to_the_limit());
