@@ -78,10 +78,37 @@ class Finder {
       const ElementFamily family = program_.instances[of].kind->family;
       bounds = family == ElementFamily::Timer ? Bounds{0, kMost}
                                               : Bounds{-0x8000, 0x7fff};
+    } else if (is_choice(node)) {
+      const Bounds then = found_.nodes[node.a];
+      const Bounds otherwise = found_.nodes[node.b];
+      bounds = {std::min(then.low, otherwise.low),
+                std::max(then.high, otherwise.high)};
     } else {
       bounds = bounds_of(node.op, found_.nodes[node.a], found_.nodes[node.b]);
     }
     bounds = clamped(bounds);
+  }
+
+  /// `to_word(g) * x + to_word(!g) * y`, as readers write what stands behind a
+  /// condition: one of the two is 0.
+  bool is_choice(const Node& node) const {
+    if (node.op != NodeOp::Add) return false;
+    const Node* const chosen = factor_of(node.a);
+    const Node* const otherwise = factor_of(node.b);
+    if (chosen == nullptr || otherwise == nullptr) return false;
+    if (chosen->op != NodeOp::Read || otherwise->op != NodeOp::Not) {
+      return false;
+    }
+    const Node& denied = program_.nodes[otherwise->a];
+    return denied.op == NodeOp::Read && denied.cell == chosen->cell;
+  }
+
+  /// The bit whose number is the left factor of a product; null: none.
+  const Node* factor_of(std::uint32_t at) const {
+    const Node& product = program_.nodes[at];
+    if (product.op != NodeOp::Multiply) return nullptr;
+    const Node& factor = program_.nodes[product.a];
+    return factor.op == NodeOp::ToWord ? &program_.nodes[factor.a] : nullptr;
   }
 
   const Program& program_;

@@ -45,7 +45,38 @@ constexpr std::string_view kFarEnd =
 constexpr std::string_view kArmed =
     "a pair of timers that is armed does not look at its clock, and starts it";
 
-constexpr std::array<Equivalent, 28> kEquivalent = {{
+constexpr std::string_view kStillOn =
+    "a timer whose IN was true in the execution before is timing or over, so "
+    "it "
+    "does not start again";
+
+constexpr std::array<Equivalent, 42> kEquivalent = {{
+    {"ton-esbmc, TON.ET is `elapsed <= p ? elapsed : p`", kAtPreset},
+    {"ton-esbmc, TON.ET is `elapsed < (p + 1) ? elapsed : p`", kAtPreset},
+    {"ton-matiec, TON.ET is `over ? p : !timing ? 0 : elapsed <= p ? elapsed "
+     ": p`",
+     kAtPreset},
+    {"ton-matiec, TON.ET is `over ? p : !timing ? 0 : elapsed < (p + 1) ? "
+     "elapsed : p`",
+     kAtPreset},
+    {"tof-esbmc, TOF.ET is `elapsed <= p ? elapsed : p`", kAtPreset},
+    {"tof-esbmc, TOF.ET is `elapsed < (p + 1) ? elapsed : p`", kAtPreset},
+    {"tof-matiec, TOF.ET is `over ? p : !timing ? 0 : elapsed <= p ? elapsed "
+     ": p`",
+     kAtPreset},
+    {"tof-matiec, TOF.ET is `over ? p : !timing ? 0 : elapsed < (p + 1) ? "
+     "elapsed : p`",
+     kAtPreset},
+    {"tp-esbmc, TP.ET is `elapsed <= p ? elapsed : p`", kAtPreset},
+    {"tp-esbmc, TP.ET is `elapsed < (p + 1) ? elapsed : p`", kAtPreset},
+    {"tp-matiec, TP.ET is `over ? p : !timing ? 0 : elapsed <= p ? elapsed "
+     ": p`",
+     kAtPreset},
+    {"tp-matiec, TP.ET is `over ? p : !timing ? 0 : elapsed < (p + 1) ? "
+     "elapsed : p`",
+     kAtPreset},
+    {"ton-matiec, TON, update 6: prev `prev'`", kStillOn},
+    {"tp-matiec, TP, update 6: prev `prev'`", kStillOn},
     {"ton, TON.ET is `elapsed <= p ? elapsed : p`", kAtPreset},
     {"ton, TON.ET is `elapsed < (p + 1) ? elapsed : p`", kAtPreset},
     {"tof, TOF.ET is `elapsed <= p ? elapsed : p`", kAtPreset},

@@ -180,9 +180,10 @@ std::vector<ProgramRun> mutant_runs(std::uint64_t count) {
     std::optional<ProgramRun> run = random_program(seed);
     if (run) runs.push_back(std::move(*run));
     // There are many dialects, and each has its share of them.
-    runs.push_back(random_blocks(seed));
-    runs.push_back(random_blocks(count + seed));
-    runs.push_back(random_blocks(2 * count + seed));
+    constexpr std::uint64_t kDialects = 8;
+    for (std::uint64_t i = 0; i < kDialects; ++i) {
+      runs.push_back(random_blocks(i * count + seed));
+    }
   }
   // Up from the smallest value and down to it again; up to the largest one.
   runs.push_back(counts_both_ways("CTUD at its floor",
