@@ -20,8 +20,7 @@ using iec::kElapsedParameters;
 using iec::kReadParameters;
 using iec::kTimerParameters;
 
-// --- timers: `timing` is STATE 1, `over` STATE 2
-// ------------------------------
+// --- timers: `timing` is STATE 1, `over` STATE 2 -----------------------------
 
 inline constexpr std::array<ElementState, 4> kTimerStates = {{
     {.name = "prev", .type = StateType::Bit},

@@ -31,7 +31,7 @@ struct ElementClock {
   static constexpr std::int64_t kNever =
       std::numeric_limits<std::int64_t>::max();
 
-  std::int64_t now = 0;  // millis(), ttick
+  std::int64_t now = 0;           // millis(), ttick
   std::int64_t longest_scan = 0;  // ms
   /// Over the comparisons of this scan that were false for a timer that had
   /// been running: the ms after which the first of them becomes true.

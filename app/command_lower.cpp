@@ -29,10 +29,14 @@ struct Target {
                                            DiagnosticSink& sink) = nullptr;
 };
 constexpr std::array kTargets = {
-    Target{"postfix", true}, Target{"il-iec", true, lower_to_il_iec},
-    Target{"il-mitsubishi", true, lower_to_il_mitsubishi}, Target{"plclib"},
-    Target{"plcopen"},       Target{"ldmicro"},
-    Target{"ascii", true, lower_to_ascii},         Target{"st", false, lower_to_st},
+    Target{"postfix", true},
+    Target{"il-iec", true, lower_to_il_iec},
+    Target{"il-mitsubishi", true, lower_to_il_mitsubishi},
+    Target{"plclib"},
+    Target{"plcopen"},
+    Target{"ldmicro"},
+    Target{"ascii", true, lower_to_ascii},
+    Target{"st", false, lower_to_st},
     Target{"script", true, lower_to_script},
 };
 

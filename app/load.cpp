@@ -172,13 +172,7 @@ std::vector<std::string_view> presets_of(const Input& input,
 }
 
 Loaded load(const Input& input, const Options& options,
-            const std::vector<AstAnnotation>& extra, const SourceSet& sources,
-            std::string_view semantics) {
-  if (!semantics.empty()) {
-    Options other = options;
-    other.semantics = semantics;
-    return load(input, other, extra, sources);
-  }
+            const std::vector<AstAnnotation>& extra, const SourceSet& sources) {
   Loaded loaded;
   loaded.report.file = input.file;
   loaded.report.path = input.path;

@@ -31,12 +31,10 @@ std::vector<std::string_view> presets_of(const Input& input,
                                          const Options& options,
                                          const SourceSet& sources);
 
-/// Bytes to a program with its properties. `semantics`: instead of what the
-/// options say; empty: what they say.
+/// Bytes to a program with its properties.
 /// Errors: input errors are in the report's findings: RP07x for what no
 ///         reader accepts, and those of the reader.
 Loaded load(const Input& input, const Options& options,
-            const std::vector<AstAnnotation>& extra, const SourceSet& sources,
-            std::string_view semantics = {});
+            const std::vector<AstAnnotation>& extra, const SourceSet& sources);
 
 }  // namespace rung

@@ -242,7 +242,11 @@ void add_commands(CLI::App& app, RawOptions& raw, Options& options) {
   CLI::App* lower =
       add_command(app, "lower", "write a program in another language");
   add_files(lower, options, 1, 1);
-  lower->add_option("--to", options.to, "the language: postfix, il-iec, script, il-mitsubishi, ascii")->required();
+  lower
+      ->add_option(
+          "--to", options.to,
+          "the language: postfix, il-iec, script, il-mitsubishi, ascii")
+      ->required();
   lower->add_option("-o,--output", options.output, "the file to write");
   lower->add_flag("--binary", options.binary,
                   "postfix: the bytes that a controller executes");

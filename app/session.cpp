@@ -63,7 +63,10 @@ Session::Session(const Options& options)
 }
 
 Loaded Session::load(const Input& input, std::string_view semantics) const {
-  return rung::load(input, options_, extra_, sources_, semantics);
+  if (semantics.empty()) return rung::load(input, options_, extra_, sources_);
+  Options other = options_;
+  other.semantics = semantics;
+  return rung::load(input, other, extra_, sources_);
 }
 
 VerifyOptions Session::verify_options(std::size_t index) {

@@ -24,6 +24,7 @@ class Session {
   SourceSet& sources() { return sources_; }
   const Options& options() const { return options_; }
 
+  /// `semantics`: instead of what the options say; empty: what they say.
   Loaded load(const Input& input, std::string_view semantics = {}) const;
   std::vector<std::string_view> presets_of(const Input& input) const {
     return rung::presets_of(input, options_, sources_);

@@ -151,8 +151,7 @@ TEST(RungsReader, RefusesWithNameAndPlace) {
 // Names of bits in integers were no names to formulas, those of built-in
 // properties among them.
 TEST(RungsReader, PropertiesSpeakOfBitsOfIntegers) {
-  DeclaredText text("rungs",
-                    "//@ reach n.3\nXIC(a)OTL(n.3);XIC(b)OTU(n.3);");
+  DeclaredText text("rungs", "//@ reach n.3\nXIC(a)OTL(n.3);XIC(b)OTU(n.3);");
   ASSERT_FALSE(text.list.has_errors()) << text.problems();
   const PropertySet set =
       read_properties(text.program, {}, text.sources, text.list);

@@ -87,7 +87,8 @@ TEST(StReader, ReadsStatements) {
       {"f(x := a); q := f.y;",
        "f.x=a | f.y=(&& f.x f.old) | f.old=f.x | q=f.y"},
       {"w := inc(n);",
-       "inc.1.v=0 | inc.1.inc=0 | inc.1.v=n | inc.1.inc=(wrap16 (+ inc.1.v 1)) | "
+       "inc.1.v=0 | inc.1.inc=0 | inc.1.v=n | inc.1.inc=(wrap16 (+ inc.1.v 1)) "
+       "| "
        "w=inc.1.inc"},
       {"q := AND(a, b, NOT c);", "q=(&& (&& a b) (! c))"},
       {"q := GT(n, k, 0);", "q=(&& (> n k) (> k 0))"},
@@ -205,7 +206,8 @@ TEST(StReader, RefusesFiles) {
        "PROGRAM p VAR g : f; END_VAR g(); END_PROGRAM",
        "RP050 1:22 `f` contains itself"},
       {"FUNCTION f : INT f := g(); END_FUNCTION\n"
-       "FUNCTION g : INT g := f(); END_FUNCTION\nPROGRAM p VAR i : INT; END_VAR i := f(); END_PROGRAM",
+       "FUNCTION g : INT g := f(); END_FUNCTION\nPROGRAM p VAR i : INT; "
+       "END_VAR i := f(); END_PROGRAM",
        "RP050"},
       {"PROGRAM p END_PROGRAM CONFIGURATION c\nPROGRAM i : x; "
        "END_CONFIGURATION",
