@@ -36,7 +36,7 @@ constexpr std::array kTargets = {
     Target{"plcopen"},
     Target{"ldmicro"},
     Target{"ascii", true, lower_to_ascii},
-    Target{"st", false, lower_to_st},
+    Target{"st", true, lower_to_st},
     Target{"script", true, lower_to_script},
 };
 

@@ -245,7 +245,7 @@ void add_commands(CLI::App& app, RawOptions& raw, Options& options) {
   lower
       ->add_option(
           "--to", options.to,
-          "the language: postfix, il-iec, script, il-mitsubishi, ascii")
+          "the language: postfix, il-iec, st, script, il-mitsubishi, ascii")
       ->required();
   lower->add_option("-o,--output", options.output, "the file to write");
   lower->add_flag("--binary", options.binary,

@@ -22,6 +22,7 @@ const std::vector<WrittenLanguage>& written_languages() {
       {"script", lower_to_script},
       {"il-mitsubishi", lower_to_il_mitsubishi},
       {"ascii", lower_to_ascii},
+      {"st", lower_to_st},
   };
   return kAll;
 }

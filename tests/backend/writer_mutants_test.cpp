@@ -89,6 +89,12 @@ const Mistake kMistakes[] = {
     {"il-mitsubishi", kBits, "OR   Y0\n", ""},
     {"il-mitsubishi", kTimers, "T0 K2", "T0 K3"},
     {"il-mitsubishi", kTimers, "OUT  T1", "OUT  T2"},
+    // Structured text.
+    {"st", kTimers, "T#200ms", "T#201ms"},
+    {"st", kTimers, "TOF_1 : TOF", "TOF_1 : TON"},
+    {"st", kBits, "NOT I1", "I1"},
+    {"st", kBits, "OR", "AND"},
+    {"st", kBits, "Q0 : BOOL", "Q0 : BOOL := TRUE"},
     // A drawing.
     {"ascii", kBits, "[/]", "[ ]"},
     {"ascii", kBits, "I6", "I5"},
