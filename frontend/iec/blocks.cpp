@@ -58,6 +58,7 @@ const Block* find_block(std::string_view upper_name) {
 
 std::vector<std::string_view> block_names() {
   std::vector<std::string_view> names;
+  names.reserve(kBlocks.size());
   for (const Block& block : kBlocks) names.push_back(block.name);
   return names;
 }

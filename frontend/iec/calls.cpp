@@ -55,6 +55,20 @@ struct Scope::Call {
   std::vector<Argument> rest;   // EN and ENO
 };
 
+void Scope::no_such_parameter(const Call& call, const Argument& argument) {
+  std::string names;
+  for (const Parameter& it : call.parameters) {
+    names += (names.empty() ? "" : " ") + std::string(it.name);
+  }
+  fail("RP049", argument.where,
+       argument.name.empty()
+           ? "a " + std::string(call.name) + " has no more inputs: it has " +
+                 names
+           : "a " + std::string(call.name) + " has no " +
+                 (argument.output ? "output " : "input ") +
+                 quoted_excerpt(argument.name) + ": it has " + names);
+}
+
 bool Scope::match(Call& call, std::vector<Argument>& arguments) {
   std::vector<bool> given(call.parameters.size(), false);
   std::size_t place = 0;
@@ -85,17 +99,7 @@ bool Scope::match(Call& call, std::vector<Argument>& arguments) {
     const bool is_output = known && call.parameters[index].role == Role::Output;
     if (known && argument.name.empty()) argument.output = is_output;
     if (!known || is_output != argument.output) {
-      std::string names;
-      for (const Parameter& it : call.parameters) {
-        names += (names.empty() ? "" : " ") + std::string(it.name);
-      }
-      fail("RP049", where,
-           argument.name.empty()
-               ? "a " + std::string(call.name) +
-                     " has no more inputs: it has " + names
-               : "a " + std::string(call.name) + " has no " +
-                     (argument.output ? "output " : "input ") +
-                     quoted_excerpt(argument.name) + ": it has " + names);
+      no_such_parameter(call, argument);
       return false;
     }
     if (given[index]) {

@@ -216,15 +216,13 @@ class Computation {
                                   scope_.number(0, kLiteral, where_), where_);
     auto opposite = scope_.negate(value, where_);
     if (!negative || !opposite) return std::nullopt;
-    return scope_.choose(std::move(*negative), std::move(*opposite),
-                         std::move(value), where_);
+    return scope_.choose(std::move(*negative), *opposite, value, where_);
   }
 
   std::optional<Value> select(std::vector<Value> inputs) {
     auto g = scope_.convert(std::move(inputs[0]), kBool, where_);
     if (!g || !same_type(inputs[1], inputs[2])) return std::nullopt;
-    return scope_.choose(std::move(*g), std::move(inputs[2]),
-                         std::move(inputs[1]), where_);
+    return scope_.choose(std::move(*g), inputs[2], inputs[1], where_);
   }
 
   bool same_type(Value& a, Value& b) {
@@ -251,7 +249,7 @@ class Computation {
           Operator::Equal, k, scope_.number(number, kLiteral, where_), where_);
       auto input = scope_.convert(std::move(inputs[i]), *result.type, where_);
       if (!here || !input) return std::nullopt;
-      result = scope_.choose(std::move(*here), std::move(*input),
+      result = scope_.choose(std::move(*here), *input,
                              scope_.once(std::move(result), where_), where_);
     }
     return result;
@@ -264,8 +262,7 @@ class Computation {
     b = scope_.once(std::move(b), where_);
     auto beyond = scope_.binary(op, a, b, where_);
     if (!beyond) return std::nullopt;
-    return scope_.choose(std::move(*beyond), std::move(b), std::move(a),
-                         where_);
+    return scope_.choose(std::move(*beyond), b, a, where_);
   }
 
   std::optional<Value> extreme_of(Operator op, std::vector<Value> inputs) {
@@ -375,6 +372,29 @@ bool sort_inputs(Scope& scope, std::string_view name, Code code,
   return true;
 }
 
+/// Does a call of this function, null: a standard one, change a variable?
+bool writes(const Pou* pou, const std::vector<Argument>& arguments) {
+  return std::any_of(arguments.begin(), arguments.end(),
+                     [](const Argument& it) { return it.output; }) ||
+         (pou != nullptr &&
+          std::any_of(
+              pou->variables.begin(), pou->variables.end(),
+              [](const Variable& it) { return it.role == Role::InOut; }));
+}
+
+/// The inputs, all there; empty: it is the wrong number of them.
+std::vector<Value> take_values(Inputs& inputs, Code code) {
+  std::vector<Value> values;
+  for (std::optional<Value>& value : inputs.values) {
+    if (value) values.push_back(std::move(*value));
+  }
+  const auto [fewest, most] = counts_of(code);
+  const bool fits = values.size() == inputs.values.size() &&
+                    values.size() >= fewest && values.size() <= most;
+  if (!fits) values.clear();
+  return values;
+}
+
 }  // namespace
 
 bool is_standard_function(std::string_view upper_name) {
@@ -392,13 +412,7 @@ std::optional<Value> Scope::function(std::string_view name,
                                      std::vector<Argument> arguments,
                                      SourceRange where, bool alone) {
   const Pou* const pou = expansion_->find_pou(name);
-  const bool writes =
-      std::any_of(arguments.begin(), arguments.end(),
-                  [](const Argument& it) { return it.output; }) ||
-      (pou != nullptr &&
-       std::any_of(pou->variables.begin(), pou->variables.end(),
-                   [](const Variable& it) { return it.role == Role::InOut; }));
-  if (writes && !alone) {
+  if (!alone && writes(pou, arguments)) {
     fail("RP049", where,
          quoted_excerpt(name) +
              " has outputs and stands inside of an expression: that is not "
@@ -420,13 +434,8 @@ std::optional<Value> Scope::function(std::string_view name,
   const Code code = function != nullptr ? function->code : Code::Move;
   Inputs inputs;
   if (!sort_inputs(*this, name, code, arguments, inputs)) return std::nullopt;
-  std::vector<Value> values;
-  for (std::optional<Value>& value : inputs.values) {
-    if (value) values.push_back(std::move(*value));
-  }
-  const auto [fewest, most] = counts_of(code);
-  if (values.size() != inputs.values.size() || values.size() < fewest ||
-      values.size() > most) {
+  auto values = take_values(inputs, code);
+  if (values.empty()) {
     fail("RP049", where,
          quoted_excerpt(name) + " is given the wrong number of inputs");
     return std::nullopt;
@@ -456,7 +465,7 @@ std::optional<Value> Scope::function(std::string_view name,
     if (!result) return std::nullopt;
   }
   Value zero = number(0, *result->type, where);
-  return choose(std::move(on), std::move(*result), std::move(zero), where);
+  return choose(std::move(on), *result, zero, where);
 }
 
 }  // namespace rung::iec

@@ -78,7 +78,7 @@ std::int64_t folded(Operator op, std::int64_t a, std::int64_t b) {
   return 0;
 }
 
-void append(Value& a, Value b) { push_all(a.nodes, b.nodes); }
+void append(Value& a, const Value& b) { push_all(a.nodes, b.nodes); }
 
 }  // namespace
 
@@ -216,8 +216,7 @@ std::optional<Value> Scope::binary(Operator op, Value a, Value b,
     fail("RP043", where, "this number has more than 32 bits");
     return std::nullopt;
   }
-  if (type.kind == Kind::Bool)
-    return logic(op, std::move(a), std::move(b), where);
+  if (type.kind == Kind::Bool) return logic(op, std::move(a), b, where);
   if (op == Operator::Modulo) {
     // a - b * (a / b): that is what DIV leaves.
     a = once(std::move(a), where);
@@ -226,10 +225,10 @@ std::optional<Value> Scope::binary(Operator op, Value a, Value b,
     push_binary(product.nodes, AstOp::Divide, where);
     append(product, b);
     push_binary(product.nodes, AstOp::Multiply, where);
-    append(a, std::move(product));
+    append(a, product);
     push_binary(a.nodes, AstOp::Subtract, where);
   } else {
-    append(a, std::move(b));
+    append(a, b);
     push_binary(a.nodes, ast_op(op), where);
   }
   a.constant.reset();
@@ -243,8 +242,8 @@ std::optional<Value> Scope::binary(Operator op, Value a, Value b,
   return a;
 }
 
-Value Scope::logic(Operator op, Value a, Value b, SourceRange where) {
-  append(a, std::move(b));
+Value Scope::logic(Operator op, Value a, const Value& b, SourceRange where) {
+  append(a, b);
   const bool equality = is_equality(op);
   push_binary(a.nodes, equality ? AstOp::Xor : ast_op(op), where);
   if (op == Operator::Equal) push_unary(a.nodes, AstOp::Not, where);
@@ -263,7 +262,8 @@ Value Scope::once(Value value, SourceRange where, std::string_view prefix) {
   return result;
 }
 
-Value Scope::choose(Value g, Value then, Value otherwise, SourceRange where) {
+Value Scope::choose(Value g, const Value& then, const Value& otherwise,
+                    SourceRange where) {
   if (g.constant) return *g.constant != 0 ? then : otherwise;
   g = once(std::move(g), where);
   const bool word = then.type->kind != Kind::Bool;

@@ -271,7 +271,7 @@ Context Scope::here() const {
   return context;
 }
 
-Context Scope::enter(Value condition, SourceRange where) {
+Context Scope::enter(const Value& condition, SourceRange where) {
   const Context outer = here();
   expansion_->enter(keep_condition(condition.nodes, where));
   return outer;

@@ -92,7 +92,8 @@ class Scope {
   std::optional<Value> convert(Value value, const Type& type,
                                SourceRange where);
   /// g ? then : otherwise; both of one type.
-  Value choose(Value g, Value then, Value otherwise, SourceRange where);
+  Value choose(Value g, const Value& then, const Value& otherwise,
+               SourceRange where);
   /// A value that one expression may use more than once: a cell or a constant.
   Value once(Value value, SourceRange where, std::string_view prefix = "kept");
   /// As convert(), and both to the larger type of the two.
@@ -117,7 +118,7 @@ class Scope {
 
   /// Statements up to leave() have an effect only where `condition` is true
   /// too. Conditions nest.
-  Context enter(Value condition, SourceRange where);
+  Context enter(const Value& condition, SourceRange where);
   /// What leave() may return to.
   Context here() const;
   void leave(const Context& outer, SourceRange where);
@@ -134,8 +135,9 @@ class Scope {
   struct Call;
   bool check_operands(Operator op, const Value& a, const Value& b,
                       SourceRange where);
-  Value logic(Operator op, Value a, Value b, SourceRange where);
+  Value logic(Operator op, Value a, const Value& b, SourceRange where);
   bool match(Call& call, std::vector<Argument>& arguments);
+  void no_such_parameter(const Call& call, const Argument& argument);
   bool give_inputs(Call& call);
   bool give_input(Call& call, std::size_t index);
   bool give_enable(Call& call);

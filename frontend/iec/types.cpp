@@ -146,6 +146,7 @@ const Type* find_type(std::string_view upper_name) {
 
 std::vector<std::string_view> type_names() {
   std::vector<std::string_view> names;
+  names.reserve(kTypes.size());
   for (const Type* type : kTypes) names.push_back(type->name);
   return names;
 }

@@ -122,7 +122,7 @@ void ListParser::call(const Operator& op, SourceRange where) {
     if (!known(where, iec::kBool, op.name)) return;
     std::optional<Value> condition = value_;
     if (op.negate) condition = scope_.invert(std::move(*condition), where);
-    if (condition) scope_.enter(std::move(*condition), where);
+    if (condition) scope_.enter(*condition, where);
   }
   Symbol* const instance = instance_here();
   std::vector<iec::Argument> list;

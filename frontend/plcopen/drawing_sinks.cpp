@@ -32,7 +32,7 @@ void DrawingRun::write_coil(const Element& coil, Value value) {
     return;
   }
   const bool set = modifier.storage == Storage::Set;
-  const iec::Context outer = scope_->enter(std::move(*power), coil.where);
+  const iec::Context outer = scope_->enter(*power, coil.where);
   scope_->write(target.text, scope_->bit(set, coil.where), target.where,
                 coil.where);
   scope_->leave(outer, coil.where);

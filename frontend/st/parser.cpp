@@ -8,7 +8,6 @@
 namespace rung::st {
 namespace {
 
-using iec::Context;
 using iec::Operator;
 using iec::TokenKind;
 using iec::Value;
@@ -202,7 +201,7 @@ void Parser::begin_if(SourceRange where) {
     value = scope_.bit(true, where);
     failed_ = true;
   }
-  block.outer = scope_.enter(std::move(*value), where);
+  block.outer = scope_.enter(*value, where);
   block.rest = block.outer;
   block.taken = scope_.writer().guard();
   blocks_.push_back(std::move(block));
@@ -216,7 +215,7 @@ void Parser::begin_branch(Block& block, SourceRange where) {
   Value none{{}, &iec::kBool, {}, where};
   push_leaf(none.nodes, AstOp::Name, block.taken, where);
   push_unary(none.nodes, AstOp::Not, where);
-  scope_.enter(std::move(none), where);
+  scope_.enter(none, where);
   block.rest = scope_.expansion().context();
 }
 
@@ -229,7 +228,7 @@ void Parser::condition(Block& block, SourceRange where) {
     failed_ = true;
     return;
   }
-  scope_.enter(std::move(*value), where);
+  scope_.enter(*value, where);
   block.taken = scope_.writer().guard();
   expect_word("THEN");
 }
@@ -314,7 +313,7 @@ void Parser::labels() {
     first = false;
     cursor_.skip_line_ends();
   } while (cursor_.accept(TokenKind::Comma));
-  scope_.enter(std::move(condition), where);
+  scope_.enter(condition, where);
   block.taken = scope_.writer().guard();
   expect(TokenKind::Colon, "`:`");
 }
