@@ -6,6 +6,7 @@
 
 #include "analysis/program.h"
 #include "analysis/simulator.h"
+#include "declared_text.h"
 #include "dump.h"
 #include "frontend/il_mitsubishi/reader.h"
 #include "frontend/recognise.h"
@@ -13,35 +14,9 @@
 namespace rung::test {
 namespace {
 
-struct Text {
+struct Text : DeclaredText {
   explicit Text(std::string text)
-      : file(sources.add("list.il", std::move(text))),
-        ast(read_il_mitsubishi(sources, file, list)) {
-    if (!list.has_errors()) program = build_program(ast, {}, list);
-  }
-  std::string rungs() const {
-    std::string result;
-    for (const AstAssignment& rung : ast.rungs) {
-      result += (result.empty() ? "" : " | ") + std::string(rung.target) + "=" +
-                dump(ast, rung.value);
-    }
-    return result;
-  }
-  std::string problems() const {
-    std::string result;
-    for (const Diagnostic& item : list.items()) {
-      const LineColumn at = sources[file].position(item.where.begin);
-      result += std::string(item.code) + " " + std::to_string(at.line) + ":" +
-                std::to_string(at.column) + " " + item.message + "\n";
-    }
-    return result;
-  }
-
-  SourceSet sources;
-  DiagnosticList list;
-  FileId file;
-  Ast ast;
-  Program program;
+      : DeclaredText("il-mitsubishi", std::move(text)) {}
 };
 
 struct Row {

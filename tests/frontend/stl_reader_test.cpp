@@ -6,7 +6,7 @@
 
 #include "analysis/program.h"
 #include "analysis/simulator.h"
-#include "dump.h"
+#include "declared_text.h"
 #include "frontend/recognise.h"
 #include "frontend/stl/literals.h"
 #include "frontend/stl/reader.h"
@@ -14,35 +14,8 @@
 namespace rung::test {
 namespace {
 
-struct Text {
-  explicit Text(std::string text)
-      : file(sources.add("list.awl", std::move(text))),
-        ast(read_stl(sources, file, list)) {
-    if (!list.has_errors()) program = build_program(ast, {}, list);
-  }
-  std::string rungs() const {
-    std::string result;
-    for (const AstAssignment& rung : ast.rungs) {
-      result += (result.empty() ? "" : " | ") + std::string(rung.target) + "=" +
-                dump(ast, rung.value);
-    }
-    return result;
-  }
-  std::string problems() const {
-    std::string result;
-    for (const Diagnostic& item : list.items()) {
-      const LineColumn at = sources[file].position(item.where.begin);
-      result += std::string(item.code) + " " + std::to_string(at.line) + ":" +
-                std::to_string(at.column) + " " + item.message + "\n";
-    }
-    return result;
-  }
-
-  SourceSet sources;
-  DiagnosticList list;
-  FileId file;
-  Ast ast;
-  Program program;
+struct Text : DeclaredText {
+  explicit Text(std::string text) : DeclaredText("stl", std::move(text)) {}
 };
 
 struct Row {
