@@ -11,6 +11,7 @@
 #include "backend/ascii/write.h"
 #include "backend/il_iec/write.h"
 #include "backend/il_mitsubishi/write.h"
+#include "backend/plcopen/write.h"
 #include "backend/postfix/lower.h"
 #include "backend/script/write.h"
 #include "backend/st/write.h"
@@ -33,7 +34,7 @@ constexpr std::array kTargets = {
     Target{"il-iec", true, lower_to_il_iec},
     Target{"il-mitsubishi", true, lower_to_il_mitsubishi},
     Target{"plclib"},
-    Target{"plcopen"},
+    Target{"plcopen", true, lower_to_plcopen},
     Target{"ldmicro"},
     Target{"ascii", true, lower_to_ascii},
     Target{"st", true, lower_to_st},

@@ -234,6 +234,9 @@ class EquivalenceCheck {
     std::vector<StatePair> open = guesses.likely;
     open.insert(open.end(), guesses.more.begin(), guesses.more.end());
     Product reduced = product(proved_);
+    // Numbers that stay in their range are proved with the states.
+    const std::vector<ExprId> in_range = never_faults(reduced);
+    reduced.same.insert(reduced.same.end(), in_range.begin(), in_range.end());
     const EqualStates equal =
         find_equal_states(reduced, open, relations(reduced), deadline_);
     std::vector<StatePair> merged = equal.pairs;
@@ -251,9 +254,11 @@ class EquivalenceCheck {
         invariant.lemmas.push_back({{.term = related[i]}});
       }
     }
-    const std::vector<ExprId> faults = never_faults(whole);
-    if (equal.all_outputs && faults.empty() && whole.ts.constraints.empty()) {
+    if (equal.all_outputs && whole.ts.constraints.empty()) {
       invariant.conditions = whole.same;
+      const std::vector<ExprId> never = never_faults(whole);
+      invariant.conditions.insert(invariant.conditions.end(), never.begin(),
+                                  never.end());
       certify(whole, invariant, "register correspondence");
       return;
     }

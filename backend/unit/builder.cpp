@@ -86,6 +86,7 @@ UnitBuilder::UnitBuilder(const Program& program, const Profile& profile,
       sink_(sink),
       names_(*profile.names),
       bounds_(find_bounds(program)),
+      unused_(find_unused(program)),
       variable_of_(program.cells.size()) {}
 
 void UnitBuilder::fail(SourceRange where, std::string message) {
@@ -105,7 +106,9 @@ std::optional<Unit> UnitBuilder::build(Elements& elements,
   elements.declare(*this);
   declare_cells();
   relate_constants();
-  for (const RungId id : ids_of(program_.rungs)) lower_rung(id);
+  for (const RungId id : ids_of(program_.rungs)) {
+    if (!unused_.rungs[id.index()]) lower_rung(id);
+  }
   if (!program_.plant.statements.empty()) {
     sink_.report({.code = "RP085",
                   .severity = Severity::Note,
@@ -141,6 +144,7 @@ void UnitBuilder::declare_cells() {
     for (const CellId id : ids_of(program_.cells)) {
       const Cell& cell = program_.cells[id];
       if (cell.made != made || variable_of_[id.index()].has_value()) continue;
+      if (unused_.cells[id.index()]) continue;
       const bool input = cell.role == CellRole::Input;
       const Bounds range = bounds_.cells[id.index()];
       if (cell.type == Type::Word && !profile_.words) {
@@ -185,7 +189,9 @@ std::string UnitBuilder::word_range() const {
 
 void UnitBuilder::check_words() {
   std::vector<bool> wraps(program_.nodes.size(), false);
-  for (const Rung& rung : program_.rungs) check_rung_words(rung, wraps);
+  for (const RungId id : ids_of(program_.rungs)) {
+    if (!unused_.rungs[id.index()]) check_rung_words(program_.rungs[id], wraps);
+  }
 }
 
 /// A target computes with 16 bits: what leaves them must not be looked at

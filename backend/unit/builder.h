@@ -11,6 +11,7 @@
 #include "backend/unit/bounds.h"
 #include "backend/unit/names.h"
 #include "backend/unit/unit.h"
+#include "backend/unit/unused.h"
 #include "base/diagnostic.h"
 
 namespace rung::backend {
@@ -121,6 +122,7 @@ class UnitBuilder {
   NameTable names_;
   Elements* elements_ = nullptr;
   WordBounds bounds_;
+  Unused unused_;
   std::vector<CellId> variable_of_;  // by cell of the source
 
   // Of the rung that is being lowered.

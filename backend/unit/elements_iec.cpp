@@ -9,7 +9,9 @@
 #include <string>
 #include <utility>
 
+#include "backend/unit/block_pins.h"
 #include "backend/unit/elements_common.h"
+#include "backend/unit/matiec.h"
 
 namespace rung::backend {
 namespace {
@@ -18,14 +20,11 @@ using enum NodeOp;
 
 constexpr std::int64_t kLongest = std::numeric_limits<std::int32_t>::max();
 
-/// The first output of a block of the standard.
-std::string_view output_of(std::string_view block) {
-  if (block == "CTUD") return "QU";
-  return block == "SR" || block == "RS" ? "Q1" : "Q";
-}
-
 class IecElements : public MappedElements {
  public:
+  explicit IecElements(std::string_view dialect)
+      : dialect_(dialect), matiec_(dialect == "matiec") {}
+
   void declare(UnitBuilder& builder) override {
     MappedElements::declare(builder);
     bind_pins(builder);
@@ -53,6 +52,18 @@ class IecElements : public MappedElements {
     const auto add_state = [&](std::string_view name, Type type) {
       MappedElements::add_state(builder, instance, use, name, type);
     };
+    const bool timer = instance.kind->family == ElementFamily::Timer;
+    const bool foreign = !instance.kind->is_in(dialect_);
+    if (timer && foreign && use.presets.size() > 1 &&
+        is_block(*instance.kind)) {
+      builder.fail(instance.where,
+                   "`" + instance.name +
+                       "` has several presets: what one of them has started "
+                       "is over for all of them here");
+    }
+    // Without a delay there is no block (see timer_sim(), off_delay()).
+    const bool sim = kind == "timer-sim" || kind == "timer-off-sim";
+    if (matiec_ && sim && use.presets == std::set<std::int64_t>{0}) return;
     if (kind == "timer-yun") {
       use.block = builder.add_block("TON", instance);
       add_state("started", Type::Bit);
@@ -71,7 +82,8 @@ class IecElements : public MappedElements {
       use.block = builder.add_block("R_TRIG", instance);
     } else if (kind == "edge") {
       add_state("last", Type::Bit);
-    } else if (instance.kind->is_in("iec")) {
+    } else if (!foreign ||
+               (is_block(*instance.kind) && instance.kind->letter != "CTUD")) {
       use.block = builder.add_block(instance.kind->letter, instance);
     } else {
       builder.fail(instance.where, "there is no standard function block for `" +
@@ -82,8 +94,8 @@ class IecElements : public MappedElements {
   }
 
   /// What is equal in both, so that it need not be found again.
-  static void relate(UnitBuilder& builder, const Instance& instance,
-                     const Use& use) {
+  void relate(UnitBuilder& builder, const Instance& instance,
+              const Use& use) const {
     const std::string name = instance.name + ".";
     const auto add = [&](std::string formula,
                          std::vector<StateRelation::Name> names) {
@@ -93,13 +105,23 @@ class IecElements : public MappedElements {
     const auto of = [&](std::string_view state) {
       return builder.unit().variables[use.states.at(state)].name;
     };
-    const std::string preset =
-        std::to_string(use.presets.empty() ? 0 : *use.presets.rbegin());
+    const std::int64_t largest =
+        use.presets.empty() ? 0 : *use.presets.rbegin();
+    const std::string preset = std::to_string(largest);
     const std::string_view kind = instance.kind->id;
     if (kind == "timer-yun" || kind == "timer-sim") {
-      relate_timer(builder, instance.name, false, true, 0);
+      if (matiec_) {
+        relate_matiec_timer(builder, instance.name, "timer-sim", false,
+                            kind == "timer-yun" ? largest + 1 : largest);
+      } else {
+        relate_timer(builder, instance.name, false, true, 0);
+      }
       if (kind == "timer-sim") return;
       add("s <-> t", {{"s", name + "started"}, {"t", of("started"), true}});
+    } else if (kind == "timer-off-sim" && matiec_ && !use.states.empty()) {
+      relate_matiec_off_delays(builder, instance.name, of("out"));
+    } else if (kind == "timer-off-sim" && matiec_) {
+      relate_matiec_timer(builder, instance.name, kind, false, largest);
     } else if (kind == "timer-off-sim") {
       relate_timer(builder, instance.name, true, true,
                    use.presets.empty() ? 0 : *use.presets.rbegin(),
@@ -117,91 +139,25 @@ class IecElements : public MappedElements {
       add("l <-> m",
           {{"l", name + (kind == "counter-sim" ? "last_up" : "last")},
            {"m", of("last"), true}});
+    } else if (instance.kind->family == ElementFamily::Timer &&
+               !instance.kind->is_in(dialect_)) {
+      const std::string_view other = instance.kind->letter == "TON"   ? "ton"
+                                     : instance.kind->letter == "TOF" ? "tof"
+                                                                      : "tp";
+      relate_matiec_timer(builder, instance.name, other, !matiec_, largest);
     }
   }
 
   /// Cells of the source that are pins of its blocks, as readers of IEC
   /// languages make them, are pins here too.
   void bind_pins(UnitBuilder& builder) {
-    const Program& program = builder.program();
-    std::map<std::string_view, InstanceId> by_name;
-    for (const InstanceId id : ids_of(program.instances)) {
-      if (!program.instances[id].kind->is_in("iec")) continue;
-      by_name.emplace(program.instances[id].name, id);
+    for (const BlockPin& one : find_block_pins(builder.program())) {
+      if (!use_of(one.instance).block.has_value()) continue;  // refused
+      const CellId pin =
+          pin_cell(builder, use_of(one.instance), one.name, one.type);
+      builder.bind(one.cell, pin);
+      if (one.constant) constants_.emplace(pin, *one.constant);
     }
-    if (by_name.empty()) return;
-    const std::vector<std::uint32_t> results = count_results(program);
-    std::vector<std::uint32_t> steps(program.instances.size(), 0);
-    for (const ElementCall& call : program.calls) {
-      if (call.operation->steps()) ++steps[call.instance.index()];
-    }
-    for (const CellId id : ids_of(program.cells)) {
-      const Cell& cell = program.cells[id];
-      const std::size_t dot = cell.name.rfind('.');
-      if (!cell.made || dot == std::string::npos) continue;
-      const auto found =
-          by_name.find(std::string_view(cell.name).substr(0, dot));
-      if (found == by_name.end()) continue;
-      const Instance& instance = program.instances[found->second];
-      const std::string_view name =
-          pin_name(instance, cell.name.substr(dot + 1));
-      if (name.empty()) continue;
-      const bool input = is_input(instance, name);
-      if (!input && results[id.index()] != steps[found->second.index()]) {
-        continue;
-      }
-      builder.bind(id,
-                   pin_cell(builder, use_of(found->second), name, cell.type));
-    }
-  }
-
-  static bool is_input(const Instance& instance, std::string_view name) {
-    const auto parameters = instance.kind->operations.front().parameters;
-    return std::any_of(
-        parameters.begin(), parameters.end(),
-        [&](const ElementParameter& it) { return it.name == name; });
-  }
-
-  /// In static storage; empty when there is no such pin.
-  static std::string_view pin_name(const Instance& instance,
-                                   const std::string& name) {
-    for (const ElementParameter& it :
-         instance.kind->operations.front().parameters) {
-      if (it.name == name && it.kind != ParameterKind::Index) return it.name;
-    }
-    const std::string_view first = output_of(instance.kind->letter);
-    if (name == first) return first;
-    for (const ElementOperation& it : instance.kind->operations) {
-      const std::size_t dot = it.name.find('.');
-      if (dot != std::string_view::npos && it.name.substr(dot + 1) == name) {
-        return it.name.substr(dot + 1);
-      }
-    }
-    return {};
-  }
-
-  /// By cell: its rungs, where each takes over what a call gives: `t.Q := call`
-  /// or the same behind a condition. 0 for all others.
-  static std::vector<std::uint32_t> count_results(const Program& program) {
-    std::vector<std::uint32_t> counts(program.cells.size(), 0);
-    std::vector<bool> other(program.cells.size(), false);
-    for (const Rung& rung : program.rungs) {
-      const Node& root = program.nodes[rung.root()];
-      const Node* const left = root.op == Or ? &program.nodes[root.a] : nullptr;
-      const bool call =
-          root.op == Call || (left != nullptr && left->op == And &&
-                              program.nodes[left->a].op == Read &&
-                              program.nodes[left->b].op == Call);
-      if (call) {
-        ++counts[rung.target.index()];
-      } else {
-        other[rung.target.index()] = true;
-      }
-    }
-    for (std::size_t i = 0; i < counts.size(); ++i) {
-      if (other[i]) counts[i] = 0;
-    }
-    return counts;
   }
 
   // --- blocks of the standard ------------------------------------------------
@@ -212,6 +168,10 @@ class IecElements : public MappedElements {
     const ElementOperation& operation = *call.operation;
     const Type type = operation.word ? Type::Word : Type::Bit;
     if (!use.block.has_value()) return constant_term(type, 0);  // refused
+    const Instance& instance = builder.program().instances[call.instance];
+    if (!instance.kind->is_in(dialect_) || matiec_) {
+      check_foreign(builder, call, instance, arguments);
+    }
     if (operation.reads) {
       const std::string_view name =
           operation.name.substr(operation.name.find('.') + 1);
@@ -231,11 +191,64 @@ class IecElements : public MappedElements {
           value.size() == 1 && value[0].op == Read && value[0].cell == cell;
       if (!kept) given.push_back({cell, std::move(value)});
     }
+    if (timed && call.parameter == 0 && !instance.kind->is_in(dialect_)) {
+      return without_delay(builder, call, use, std::move(given));
+    }
     std::optional<std::int64_t> preset;
     if (timed) preset = preset_of(builder, call, call.parameter);
     builder.call(use.block, std::move(given), preset);
     return builder.result_of(
         call, pin(builder, use, output_of(operation.name), type));
+  }
+
+  /// Where a block is not the same in both libraries.
+  void check_foreign(UnitBuilder& builder, const ElementCall& call,
+                     const Instance& instance,
+                     const std::vector<Terms>& arguments) {
+    const std::string_view name = call.operation->name;
+    const auto fail = [&](const std::string& why) {
+      builder.fail(call.where, "`" + instance.name + "`: " + why);
+    };
+    const bool timer = instance.kind->family == ElementFamily::Timer;
+    if (timer && call.operation->reads) {
+      return fail("its elapsed time is a TIME, and no number here");
+    }
+    if (instance.kind->is_in(dialect_)) return;
+    if (timer && call.parameter == 0 && !matiec_) {
+      return fail("with a preset of 0 it still needs one scan more");
+    }
+    if (instance.kind->family != ElementFamily::Counter) return;
+    if (call.operation->reads) {
+      return fail("one of the two counters stops at its limit, so their " +
+                  std::string(name) + " differ");
+    }
+    if (name == "CTD") {
+      return relate_matiec_counter(builder, instance.name, true, !matiec_, 0);
+    }
+    const Term& value = arguments.back().back();
+    const auto pin = constants_.find(value.cell);
+    const bool known = value.op == Read && pin != constants_.end();
+    const std::int64_t limit = known ? pin->second : value.value;
+    const auto other = limits_.emplace(call.instance, limit).first;
+    if (!(known || value.op == Constant) || other->second != limit) {
+      return fail(
+          "its PV is not constant, and one of the two counters stops "
+          "at it");
+    }
+    relate_matiec_counter(builder, instance.name, false, !matiec_, limit);
+  }
+
+  /// The standard's timers do not wait for a preset of 0, and matiec's do.
+  Terms without_delay(UnitBuilder& builder, const ElementCall& call, Use& use,
+                      std::vector<Argument> given) {
+    for (Argument& argument : given) {
+      builder.assign(argument.pin, std::move(argument.value));
+    }
+    const CellId out = pin_cell(builder, use, "Q");
+    const bool pulse = call.operation->name == "TP";
+    builder.assign(
+        out, pulse ? constant_term(Type::Bit, 0) : pin(builder, use, "IN"));
+    return builder.result_of(call, read_term(out, Type::Bit));
   }
 
   static std::int64_t preset_of(UnitBuilder& builder, const ElementCall& call,
@@ -262,35 +275,58 @@ class IecElements : public MappedElements {
                         : joined(Or, Type::Bit, state(use, "started"), input));
     const std::int64_t preset =
         resets ? builder.program().instances[call.instance].largest_parameter
-               : call.parameter;
+               : given_preset(call, use);
     builder.call(use.block,
                  {{pin_cell(builder, use, "IN"), state(use, "started")}},
                  preset_of(builder, call, preset + 1));
     if (resets) return input;
-    return builder.result_of(call, both(input, pin(builder, use, "Q")));
+    return builder.result_of(
+        call, both(input, has_run(builder, use, call.parameter + 1)));
+  }
+
+  /// Has the timer run for this long? What matiec's blocks have come to is not
+  /// undone by a larger preset: with several, they get the largest, and their
+  /// clock is looked at.
+  static bool looks_at_clock(const Use& use) { return use.presets.size() > 1; }
+  Terms has_run(UnitBuilder& builder, Use& use, std::int64_t milliseconds) {
+    if (!matiec_ || !looks_at_clock(use)) return pin(builder, use, "Q");
+    return joined(GreaterEqual, Type::Bit, pin(builder, use, "ET", Type::Word),
+                  constant_term(Type::Word, milliseconds));
+  }
+  Terms still_on(UnitBuilder& builder, Use& use, std::int64_t milliseconds) {
+    if (!matiec_) return pin(builder, use, "Q");
+    return negated(has_run(builder, use, milliseconds));
+  }
+  /// The preset that a call of a timer is given.
+  std::int64_t given_preset(const ElementCall& call, Use& use) const {
+    const bool largest = matiec_ && looks_at_clock(use);
+    return largest ? *use.presets.rbegin() : call.parameter;
   }
 
   Terms timer_sim(UnitBuilder& builder, const ElementCall& call,
                   const std::vector<Terms>& arguments) {
     Use& use = use_of(call);
+    if (!use.block.has_value()) return constant_term(Type::Bit, 1);
     builder.call(use.block, {{pin_cell(builder, use, "IN"), arguments[0]}},
-                 preset_of(builder, call, call.parameter));
+                 preset_of(builder, call, given_preset(call, use)));
     // Without a preset it is done whatever its input is.
     if (call.parameter == 0) return constant_term(Type::Bit, 1);
-    return builder.result_of(call, pin(builder, use, "Q"));
+    return builder.result_of(call, has_run(builder, use, call.parameter));
   }
 
   Terms off_delay(UnitBuilder& builder, const ElementCall& call,
                   const std::vector<Terms>& arguments) {
     Use& use = use_of(call);
+    if (!use.block.has_value()) return arguments[0];
     const bool one = use.states.empty();
     const Terms input = one ? arguments[0] : builder.kept(arguments[0]);
     builder.call(use.block, {{pin_cell(builder, use, "IN"), input}},
-                 preset_of(builder, call, call.parameter));
+                 preset_of(builder, call, given_preset(call, use)));
     if (one) return builder.result_of(call, pin(builder, use, "Q"));
     builder.assign(use.states.at("out"),
                    joined(Or, Type::Bit, input,
-                          both(state(use, "out"), pin(builder, use, "Q"))));
+                          both(state(use, "out"),
+                               still_on(builder, use, call.parameter))));
     return builder.result_of(call, state(use, "out"));
   }
 
@@ -407,12 +443,17 @@ class IecElements : public MappedElements {
     builder.assign(use.states.at("last"), input);
     return read_term(result_cell, Type::Bit);
   }
+
+  std::string_view dialect_;
+  bool matiec_;
+  std::map<CellId, std::int64_t> constants_;   // pins that never change
+  std::map<InstanceId, std::int64_t> limits_;  // of counters in other libraries
 };
 
 }  // namespace
 
-std::unique_ptr<Elements> iec_elements() {
-  return std::make_unique<IecElements>();
+std::unique_ptr<Elements> iec_elements(std::string_view dialect) {
+  return std::make_unique<IecElements>(dialect);
 }
 
 }  // namespace rung::backend

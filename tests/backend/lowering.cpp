@@ -9,6 +9,7 @@
 #include "backend/ascii/write.h"
 #include "backend/il_iec/write.h"
 #include "backend/il_mitsubishi/write.h"
+#include "backend/plcopen/write.h"
 #include "backend/script/write.h"
 #include "backend/st/write.h"
 #include "frontend/recognise.h"
@@ -23,6 +24,7 @@ const std::vector<WrittenLanguage>& written_languages() {
       {"il-mitsubishi", lower_to_il_mitsubishi},
       {"ascii", lower_to_ascii},
       {"st", lower_to_st},
+      {"plcopen", lower_to_plcopen},
   };
   return kAll;
 }

@@ -26,6 +26,7 @@ const std::map<std::string_view, Refused> kRefused = {
     {"il-mitsubishi", {16, 94, 81}},
     {"ascii", {15, 94, 77}},
     {"st", {1, 31, 14}},
+    {"plcopen", {1, 31, 14}},
 };
 constexpr std::size_t kRandom = 100;
 

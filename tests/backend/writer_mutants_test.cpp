@@ -28,6 +28,8 @@ constexpr const char* kBits =
 constexpr const char* kTimers =
     "Q1 = T(0, 0.2, I0 && !I2);\n"
     "Q2 = TOF(1, 0.3, I3);\n";
+constexpr const char* kKept =
+    "Q0 = Q0 || I0 && !I1;\nQ1 = Q1 && !I1;\nQ1 = Q1 || Q0 && I2;\n";
 constexpr const char* kEdges =
     "postfix 1\ndialect sim\nevaluation strict\nscan 1..100 ms\n"
     "input bit a\noutput bit q\noutput bit r\nelement E(0) edge\n"
@@ -95,6 +97,30 @@ const Mistake kMistakes[] = {
     {"st", kBits, "NOT I1", "I1"},
     {"st", kBits, "OR", "AND"},
     {"st", kBits, "Q0 : BOOL", "Q0 : BOOL := TRUE"},
+    // A ladder diagram.
+    {"plcopen", kBits, "negated=\"true\"", "negated=\"false\""},
+    {"plcopen", kBits, "<variable>I6<", "<variable>I5<"},
+    {"plcopen", kBits,
+     "                <connection refLocalId=\"3\">\n"
+     "                  <position x=\"250\" y=\"40\" />\n"
+     "                  <position x=\"230\" y=\"40\" />\n"
+     "                  <position x=\"230\" y=\"80\" />\n"
+     "                  <position x=\"150\" y=\"80\" />\n"
+     "                </connection>\n",
+     ""},
+    {"plcopen", kBits, "refLocalId=\"8\"", "refLocalId=\"7\""},
+    {"plcopen", kTimers, "T#200ms", "T#201ms"},
+    {"plcopen", kSim, "typeName=\"EQ\"", "typeName=\"GE\""},
+    {"plcopen", kSim, "typeName=\"ADD\"", "typeName=\"SUB\""},
+    {"plcopen", kSim, "<expression>50<", "<expression>51<"},
+    {"plcopen", kYun, "<expression>FALSE<", "<expression>TRUE<"},
+    {"plcopen", kYun, "<expression>3<", "<expression>4<"},
+    {"plcopen", kYun, "T#201ms", "T#200ms"},
+    {"plcopen", kKept, "storage=\"reset\"", "storage=\"set\""},
+    {"plcopen", kKept, " storage=\"set\"", ""},
+    // A contact that is no longer before a box, and one at another rail.
+    {"plcopen", kSim, "<variable>Q5_1<", "<variable>Q5_2<"},
+    {"plcopen", kEdges, "<variable>E_1_last<", "<variable>a<"},
     // A drawing.
     {"ascii", kBits, "[/]", "[ ]"},
     {"ascii", kBits, "I6", "I5"},

@@ -71,8 +71,14 @@ TEST(WritingDocumentation, ShowsWhatIsWritten) {
   const auto examples = documented();
   EXPECT_EQ(examples.size(), written_languages().size());
   for (const Example& example : examples) {
-    EXPECT_EQ(written(example.language, example.script), example.expected)
-        << "docs/lowering.md:" << example.line;
+    const std::string text = written(example.language, example.script);
+    if (example.language == "plcopen") {  // the page shows the drawing alone
+      EXPECT_TRUE(contains(text, example.expected))
+          << "docs/lowering.md:" << example.line << "\n"
+          << text;
+      continue;
+    }
+    EXPECT_EQ(text, example.expected) << "docs/lowering.md:" << example.line;
   }
 }
 
