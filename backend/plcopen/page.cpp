@@ -23,8 +23,8 @@ std::int64_t y_of(std::size_t row) {
 void put_point(xml_node parent, const char* name, std::int64_t x,
                std::int64_t y) {
   xml_node point = parent.append_child(name);
-  point.append_attribute("x") = static_cast<long long>(x);
-  point.append_attribute("y") = static_cast<long long>(y);
+  point.append_attribute("x") = x;
+  point.append_attribute("y") = y;
 }
 
 void put_output(xml_node parent, std::int64_t x, std::int64_t y,
@@ -62,8 +62,8 @@ xml_node Page::element(const char* name, std::int64_t x, std::int64_t y,
                        std::int64_t width, std::int64_t height) {
   xml_node node = body_.append_child(name);
   node.append_attribute("localId") = ++next_id_;
-  node.append_attribute("height") = static_cast<long long>(height);
-  node.append_attribute("width") = static_cast<long long>(width);
+  node.append_attribute("height") = height;
+  node.append_attribute("width") = width;
   put_point(node, "position", x, y);
   return node;
 }
@@ -86,8 +86,7 @@ void Page::open_rail(Rail& rail, const char* name, std::int64_t x) {
 /// Whether this is a new point of the rail.
 bool Page::grow(Rail& rail, std::int64_t y) {
   const bool fresh = rail.points.insert(y).second;
-  rail.node.attribute("height") =
-      static_cast<long long>(*rail.points.rbegin() - rail.top + kRow / 2);
+  rail.node.attribute("height") = *rail.points.rbegin() - rail.top + kRow / 2;
   return fresh;
 }
 

@@ -141,7 +141,10 @@ class Sheet {
  public:
   Sheet(const Unit& unit, Page page, std::size_t columns,
         const RungComments& comments)
-      : unit_(unit), page_(page), last_(columns - 1), comments_(comments) {}
+      : unit_(unit),
+        page_(std::move(page)),
+        last_(columns - 1),
+        comments_(comments) {}
 
   void run(const std::vector<Rung>& rungs,
            const std::vector<std::string>& at_top) {
