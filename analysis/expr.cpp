@@ -173,30 +173,67 @@ ExprId ExprArena::disjunction(const std::vector<ExprId>& terms) {
 
 ExprId ExprArena::equal(ExprId a, ExprId b) {
   if (exprs_[a.index()].type == Type::Bit) return equivalence(a, b);
-  if (a == b) return true_;
-  if (b < a) std::swap(a, b);
-  // The constant, if there is one, on the right.
-  if (is_constant(a)) std::swap(a, b);
-  const Expr left = exprs_[a.index()];
-  const Expr right = exprs_[b.index()];
-  assert(right.type == Type::Word);
-  if (left.high < right.low || right.high < left.low) return false_;
-  if (is_constant(a)) return bit(left.value == right.value);
-  if (left.op == ExprOp::Ite && is_constant(b) && is_constant(left.b) &&
-      is_constant(left.c)) {
-    return ite(left.a, bit(exprs_[left.b.index()].value == right.value),
-               bit(exprs_[left.c.index()].value == right.value));
-  }
-  return intern({.op = ExprOp::Equal, .a = a, .b = b});
+  return compare(ExprOp::Equal, a, b);
 }
 
 ExprId ExprArena::less(ExprId a, ExprId b) {
+  return compare(ExprOp::Less, a, b);
+}
+
+/// A comparison of words, of which neither is taken apart.
+ExprId ExprArena::compare_whole(ExprOp op, ExprId a, ExprId b) {
   const Expr& left = exprs_[a.index()];
   const Expr& right = exprs_[b.index()];
   assert(left.type == Type::Word && right.type == Type::Word);
-  if (left.high < right.low) return true_;
-  if (a == b || left.low >= right.high) return false_;
-  return intern({.op = ExprOp::Less, .a = a, .b = b});
+  if (op == ExprOp::Less) {
+    if (left.high < right.low) return true_;
+    if (a == b || left.low >= right.high) return false_;
+    return intern({.op = op, .a = a, .b = b});
+  }
+  if (a == b) return true_;
+  if (left.high < right.low || right.high < left.low) return false_;
+  if (is_constant(a) && is_constant(b)) return bit(left.value == right.value);
+  // In one order, the constant, if there is one, on the right.
+  const bool swapped = is_constant(a) || (b < a && !is_constant(b));
+  return intern({.op = op, .a = swapped ? b : a, .b = swapped ? a : b});
+}
+
+/// Is it min(x, k)? Its comparison is the saturation's own.
+bool ExprArena::is_minimum(const Expr& choice) const {
+  const Expr& condition = exprs_[choice.a.index()];
+  return condition.op == ExprOp::Less && condition.a == choice.b &&
+         condition.b == choice.c;
+}
+
+/// `(c ? x : k) < m` is `c ? x < m : k < m`, which a constant k decides: what
+/// a timer shows is then a term over bits and one comparison of its clock.
+ExprId ExprArena::compare(ExprOp op, ExprId a, ExprId b) {
+  constexpr std::size_t kMost = 16;  // choices of choices
+  struct Peeled {
+    ExprId condition;
+    ExprId decided;
+    bool then;  // the branch that is decided
+  };
+  std::vector<Peeled> peeled;
+  const bool left = is_constant(b);
+  ExprId rest = left ? a : b;
+  const auto with = [&](ExprId x) {
+    return left ? compare_whole(op, x, b) : compare_whole(op, a, x);
+  };
+  while (left != is_constant(a) && peeled.size() < kMost) {
+    const Expr choice = exprs_[rest.index()];
+    if (choice.op != ExprOp::Ite || is_minimum(choice)) break;
+    const bool then = is_constant(choice.b);
+    if (!then && !is_constant(choice.c)) break;
+    peeled.push_back({choice.a, with(then ? choice.b : choice.c), then});
+    rest = then ? choice.c : choice.b;
+  }
+  ExprId result = with(rest);
+  for (auto one = peeled.rbegin(); one != peeled.rend(); ++one) {
+    result = one->then ? ite(one->condition, one->decided, result)
+                       : ite(one->condition, result, one->decided);
+  }
+  return result;
 }
 
 ExprId ExprArena::less_equal(ExprId a, ExprId b) {

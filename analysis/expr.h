@@ -97,6 +97,9 @@ class ExprArena {
  private:
   ExprId intern(Expr expr);
   ExprId bit_ite(ExprId condition, ExprId then, ExprId otherwise);
+  ExprId compare(ExprOp op, ExprId a, ExprId b);
+  ExprId compare_whole(ExprOp op, ExprId a, ExprId b);
+  bool is_minimum(const Expr& choice) const;
   bool is_number(ExprId id, std::int64_t value) const;
   ExprId wrap_signed(ExprId a, std::int64_t bits);
   ExprId chosen_sum(ExprId a, ExprId b);
