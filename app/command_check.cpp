@@ -72,10 +72,13 @@ void lint(const SourceSet& sources, const Program& program, FileReport& report,
 void prove(const Program& program, FileReport& report, const Options& options,
            const VerifyOptions& verify_options) {
   report.properties = select(std::move(report.properties), options.properties);
-  VerifyReport answer = verify(program, report.properties, verify_options);
-  std::erase_if(answer.results, [&](const ObligationResult& result) {
-    return !is_selected(result.obligation.name, options.properties);
-  });
+  VerifyOptions some = verify_options;
+  if (!options.properties.empty()) {
+    some.wanted = [&](std::string_view name) {
+      return is_selected(name, options.properties);
+    };
+  }
+  VerifyReport answer = verify(program, report.properties, some);
   report.results = std::move(answer.results);
   report.failures = std::move(answer.failures);
 }

@@ -41,9 +41,15 @@ bool shows_run(const Obligation& obligation) {
 }
 
 Questions make_questions(const Program& program, const PropertySet& properties,
+                         const std::function<bool(std::string_view)>& wanted,
                          TransitionSystem& ts) {
   Questions questions;
   questions.obligations = make_obligations(program, properties, ts);
+  if (wanted) {
+    std::erase_if(questions.obligations, [&](const Obligation& obligation) {
+      return !wanted(obligation.name);
+    });
+  }
   Asker asker(ts, questions.targets);
   for (const Obligation& obligation : questions.obligations) {
     std::size_t goal = Questions::kNone;

@@ -1,7 +1,9 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "analysis/property.h"
@@ -24,7 +26,9 @@ struct Questions {
   std::vector<std::size_t> trigger;  // the same
   std::vector<std::size_t> fault;    // by TransitionSystem::faults
 };
+/// `wanted` as VerifyOptions::wanted.
 Questions make_questions(const Program& program, const PropertySet& properties,
+                         const std::function<bool(std::string_view)>& wanted,
                          TransitionSystem& ts);
 
 /// Is the run of its answer part of the report? Built-in obligations and the

@@ -42,7 +42,7 @@ class Verifier {
       : options_(options),
         deadline_(options.budget.seconds),
         ts_(build_transition_system(program)),
-        questions_(make_questions(program, properties, ts_)),
+        questions_(make_questions(program, properties, options.wanted, ts_)),
         growth_(growth_terms(ts_)),
         parts_(partition(ts_, terms(questions_.targets))),
         alike_(ts_, questions_.targets, parts_),

@@ -29,6 +29,8 @@ struct VerifyOptions {
   bool inject_wrong_invariant = false;
   bool inject_wrong_trace = false;
   std::function<void(std::string_view)> progress;  // may be empty
+  /// Obligations to decide, by name; empty: all.
+  std::function<bool(std::string_view)> wanted;
 };
 
 struct VerifyReport {

@@ -205,7 +205,7 @@ std::vector<std::size_t> models(const std::string& text) {
   const Source source(text);
   TransitionSystem ts = build_transition_system(source.program);
   const Questions questions =
-      make_questions(source.program, source.properties, ts);
+      make_questions(source.program, source.properties, {}, ts);
   std::vector<ExprId> roots;
   for (const Target& target : questions.targets) roots.push_back(target.term);
   const auto parts = partition(ts, roots);
