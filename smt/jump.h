@@ -34,6 +34,9 @@ class JumpCircuit {
   AigLit allowed() const { return allowed_; }
   /// As Cone::bits(), with the values after the stretch.
   const std::vector<StateBit>& bits() const { return bits_; }
+  /// Every comparison is of clocks alone, which grow at one rate: it cannot
+  /// flip twice, so a stretch is what one long scan is.
+  bool exact() const { return exact_; }
 
  private:
   void add_leaves();
@@ -42,6 +45,7 @@ class JumpCircuit {
   void visit(ExprId term);
   void stretch_term(ExprId id, const Expr& e);
   void compare(ExprId id, const Expr& e);
+  bool is_plain(ExprId id) const;
   const Word& stretched(ExprId id);
   bool depends(ExprId id) const { return stretched_.count(id) != 0; }
   Word stretched_word(const Expr& e);
@@ -49,6 +53,7 @@ class JumpCircuit {
 
   Cone* cone_;
   bool useful_ = false;
+  bool exact_ = true;
   AigLit taken_ = kAigFalse;
   Word delta_;
   Word scans_;
@@ -58,6 +63,7 @@ class JumpCircuit {
   /// Values in the last scan of the stretch, of the terms that differ there.
   std::unordered_map<ExprId, Word> stretched_;
   std::unordered_map<ExprId, std::uint32_t> grown_;  // growth term: its state
+  std::unordered_map<ExprId, bool> plain_;  // a clock's value, or a choice
   std::unordered_map<ExprId, bool> seen_;
   std::vector<ExprId> stack_;
 };

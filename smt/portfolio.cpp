@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <bit>
 
+#include "smt/register_classes.h"
+
 namespace rung {
 namespace {
 
@@ -15,6 +17,7 @@ std::vector<ExprId> terms(const std::vector<Target*>& targets) {
 
 /// Queries that make one run of the bounded search shorter and calmer.
 constexpr std::uint32_t kMinimiseQueries = 300;
+constexpr std::int64_t kMinimiseConflicts = 2000;
 constexpr std::uint32_t kPreludeSteps = 500;  // of random runs
 constexpr std::uint32_t kFirstRounds = 3;
 constexpr std::uint32_t kSimulated = 48;
@@ -161,6 +164,23 @@ void Portfolio::simulate(std::uint32_t steps, bool sample, Sought wanted) {
   }
 }
 
+/// More steps of the same runs while some of `wanted` was not met.
+void Portfolio::simulate_on(Sought wanted) {
+  constexpr std::uint32_t kMost = 400;
+  constexpr std::size_t kGates = 20'000'000;  // evaluated in all
+  if (simulation_ == nullptr) return;
+  const std::size_t steps = std::min<std::size_t>(
+      kMost, kGates / std::max<std::size_t>(cone_.circuit().aig().size(), 1));
+  const auto open = [&](const Target* t) {
+    return t->hit.step == 0 && is_sought(*t, wanted);
+  };
+  for (std::size_t i = 0; i < steps && !out_of_time(); ++i) {
+    if (std::none_of(targets_.begin(), targets_.end(), open)) return;
+    simulation_->step();
+    note_hits();
+  }
+}
+
 /// Which targets does the last scan meet? Is one met for the first time?
 bool Portfolio::note_hits() {
   bool first = false;
@@ -197,13 +217,14 @@ std::uint32_t Portfolio::idle_steps(Sought wanted) {
 
 /// Runs of the simulation, of more than `steps`, for what the bounded search
 /// finds too hard.
-void Portfolio::take_hits(std::uint32_t steps) {
+void Portfolio::take_hits(Sought what, std::uint32_t steps) {
   if (simulation_ == nullptr) return;
   for (Target* target : targets_) {
-    if (!is_sought(*target, Sought::All)) continue;
+    if (!is_sought(*target, what)) continue;
     if (target->hit.step <= steps) continue;
     Run run = simulation_->run(target->hit.step, target->hit.lane);
-    const std::uint32_t hit = first_hit(cone_, run, target->term, faults_);
+    const std::uint32_t hit =
+        first_hit(cone_, run, target->term, faults_, stretches());
     if (hit == 0) continue;
     run.resize(hit);
     run.back().delta = 0;
@@ -213,9 +234,34 @@ void Portfolio::take_hits(std::uint32_t steps) {
   }
 }
 
+/// States that are equal throughout, and targets that are unreachable then.
+void Portfolio::correspond() {
+  if (templates_ == nullptr) return;
+  std::vector<AigLit> goals;
+  std::vector<std::size_t> of;
+  for (std::size_t i = 0; i < targets_.size(); ++i) {
+    if (!targets_[i]->doubtful()) continue;
+    goals.push_back(cone_.roots()[i]);
+    of.push_back(i);
+  }
+  const RegisterClasses classes = register_classes(
+      cone_, known_, templates_->signatures(), goals, *options_.deadline);
+  for (const auto& [x, y] : classes.equal) {
+    const ExprId equal = ts_.exprs.equal(ts_.state_expr(x), ts_.state_expr(y));
+    known_.lemmas.push_back(cone_.circuit().bit(equal));
+    invariant_.lemmas.push_back({{equal, {}, 0, false}});
+  }
+  for (std::size_t i = 0; i < classes.unreachable.size(); ++i) {
+    if (classes.unreachable[i]) unreachable(of[i], "correspondence");
+  }
+}
+
 void Portfolio::guess_lemmas() {
   if (templates_ == nullptr) return;
-  learn(templates_->candidates(), 0, true, {});
+  learn(templates_->candidates(Templates::Constants::Alone), 0, true, {});
+  if (!any_doubtful()) return;
+  learn(templates_->candidates(Templates::Constants::Pairs), 0, true, {});
+  correspond();
   templates_.reset();
 }
 
@@ -244,7 +290,7 @@ bool Portfolio::search_depth(Sought what, std::int64_t conflicts) {
     }
     Target& target = *of[result.target];
     if (!target.hidden) search_->minimise(result, kMinimiseQueries);
-    if (!reaches(cone_, result.run, target.term, faults_)) {
+    if (!reaches(cone_, result.run, target.term, faults_, stretches())) {
       // A stretch stood for scans that it is not: do without any.
       search_jumps_ = false;
       search_.reset();
@@ -277,7 +323,7 @@ void Portfolio::search_hidden(std::uint32_t depth, std::int64_t conflicts) {
     bool met = false;
     for (Target* target : of) {
       const std::uint32_t steps =
-          first_hit(cone_, result.run, target->term, faults_);
+          first_hit(cone_, result.run, target->term, faults_, stretches());
       if (steps == 0) continue;
       Run run(result.run.begin(), result.run.begin() + steps);
       run.back().delta = 0;
@@ -309,7 +355,7 @@ void Portfolio::property_directed(const PdrLimits& limits) {
       }
       unreachable(i, "pdr");
     } else if (result.answer == PdrResult::Answer::Reachable && !fault &&
-               reaches(cone_, result.run, target.term, faults_)) {
+               reaches(cone_, result.run, target.term, faults_, stretches())) {
       target.status = Target::Status::Reached;
       target.engine = "pdr";
       target.run = {cone_.inputs(), std::move(result.run)};
@@ -321,7 +367,7 @@ void Portfolio::property_directed(const PdrLimits& limits) {
 void Portfolio::minimise() {
   if (invariant_.lemmas.empty()) return;
   const std::vector<bool> needed =
-      needed_lemmas(cone_, known_, 20000, *options_.deadline);
+      needed_lemmas(cone_, known_, kMinimiseConflicts, *options_.deadline);
   std::vector<LemmaClause> kept;
   for (std::size_t i = 0; i < needed.size(); ++i) {
     if (needed[i]) kept.push_back(std::move(invariant_.lemmas[i]));
@@ -347,9 +393,9 @@ void Portfolio::sketch() {
     target->engine = "simulation";
   }
   search(Sought::Shown, kShallow, 2000);
-  take_hits(options_.max_depth);
+  take_hits(Sought::All, options_.max_depth);
   search(Sought::Shown, options_.max_depth, 2000);
-  take_hits(0);
+  take_hits(Sought::All, 0);
   minimise();
 }
 
@@ -359,7 +405,12 @@ void Portfolio::run() {
   if (uses("induction")) induction(1, false, {});
   if (any_sought(Sought::All))
     simulate(kSimulated, any_doubtful(), Sought::Hidden);
+  if (uses("simulation")) simulate_on(Sought::All);
+  if (uses("simulation")) take_hits(Sought::Hidden, 0);
+  if (uses("induction") && any_doubtful()) correspond();
   if (uses("bmc")) search(Sought::Shown, 8, 2000);
+  if (uses("bmc")) search(Sought::Shown, options_.max_depth, 500);
+  if (uses("simulation")) take_hits(Sought::Shown, 0);
   if (uses("bmc")) search_hidden(8, 2000);
   if (uses("bmc")) search_hidden(24, 2000);
   if (uses("pdr") && any_doubtful()) property_directed({500, 1000});
@@ -370,7 +421,7 @@ void Portfolio::run() {
   }
   search_all_again();
   if (uses("bmc")) search(Sought::All, kSimulated, 5000);
-  if (uses("simulation")) take_hits(0);
+  if (uses("simulation")) take_hits(Sought::All, 0);
   if (uses("bmc")) search(Sought::All, options_.max_depth, 50000);
   if (uses("pdr") && any_doubtful()) property_directed({100000, 50000});
   minimise();

@@ -48,6 +48,8 @@ class Portfolio {
   const Invariant& invariant() const { return invariant_; }
 
  private:
+  enum class Sought : std::uint8_t { Shown, Hidden, All };
+
   const JumpCircuit& jump();
   bool any_doubtful() const;
   bool uses(std::string_view engine) const {
@@ -56,23 +58,27 @@ class Portfolio {
   void structural();
   void induction(std::uint32_t k, bool all, const InductionLimits& limits);
   bool note_hits();
-  void take_hits(std::uint32_t steps);
+  void take_hits(Sought what, std::uint32_t steps);
+  void correspond();
   void guess_lemmas();
   void learn(std::vector<Candidate> lemmas, std::uint32_t k, bool all,
              const InductionLimits& limits);
   void property_directed(const PdrLimits& limits);
   void minimise();
-  enum class Sought : std::uint8_t { Shown, Hidden, All };
   bool is_sought(const Target& target, Sought what) const;
   bool any_sought(Sought what) const;
   std::vector<Target*> sought(Sought what, std::vector<AigLit>& goals) const;
   void simulate(std::uint32_t steps, bool sample, Sought wanted);
+  void simulate_on(Sought wanted);
   std::uint32_t idle_steps(Sought wanted);
   void search(Sought what, std::uint32_t depth, std::int64_t conflicts);
   bool search_depth(Sought what, std::int64_t conflicts);
   void search_hidden(std::uint32_t depth, std::int64_t conflicts);
   void search_all_again();
   void found(Target& target, Run run);
+  Stretches stretches() {
+    return jump().exact() ? Stretches::AsOneScan : Stretches::ScanByScan;
+  }
   void unreachable(std::size_t i, std::string_view engine);
   bool out_of_time() const { return options_.deadline->passed(); }
 

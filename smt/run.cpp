@@ -83,11 +83,13 @@ namespace {
 /// Executes the terms of a run, scan by scan.
 class Execution {
  public:
-  Execution(const Cone& cone, ExprId target, const std::vector<ExprId>& never)
+  Execution(const Cone& cone, ExprId target, const std::vector<ExprId>& never,
+            Stretches stretches)
       : ts_(cone.ts()),
         cone_(cone),
         target_(target),
         never_(never),
+        stretches_(stretches),
         terms_(cone.ts(), roots(cone.ts(), target, never)) {}
 
   /// Does the target hold at the end of the step's scan?
@@ -99,6 +101,10 @@ class Execution {
     return terms_.value(target_) != 0;
   }
   void stretch(const RunStep& step) {
+    if (stretches_ == Stretches::AsOneScan && step.delta > 0) {
+      terms_.set_input(ts_.dt, step.delta);
+      return scan();
+    }
     for (const Beat& beat : beats(step.delta, ts_.scan)) {
       terms_.set_input(ts_.dt, beat.dt_ms);
       for (std::uint64_t i = 0; i < beat.repeat; ++i) scan();
@@ -127,6 +133,7 @@ class Execution {
   const Cone& cone_;
   ExprId target_;
   const std::vector<ExprId>& never_;
+  Stretches stretches_;
   Interpreter terms_;
   bool allowed_ = true;
 };
@@ -134,8 +141,8 @@ class Execution {
 }  // namespace
 
 bool reaches(const Cone& cone, const Run& run, ExprId target,
-             const std::vector<ExprId>& never) {
-  Execution execution(cone, target, never);
+             const std::vector<ExprId>& never, Stretches stretches) {
+  Execution execution(cone, target, never, stretches);
   bool holds = false;
   for (const RunStep& step : run) {
     holds = execution.scan(step);
@@ -145,8 +152,8 @@ bool reaches(const Cone& cone, const Run& run, ExprId target,
 }
 
 std::uint32_t first_hit(const Cone& cone, const Run& run, ExprId target,
-                        const std::vector<ExprId>& never) {
-  Execution execution(cone, target, never);
+                        const std::vector<ExprId>& never, Stretches stretches) {
+  Execution execution(cone, target, never, stretches);
   for (std::uint32_t i = 0; i < run.size() && execution.allowed(); ++i) {
     if (execution.scan(run[i]) && execution.allowed()) return i + 1;
     execution.stretch(run[i]);

@@ -29,13 +29,21 @@ std::uint64_t scan_count(const Run& run, const ScanInterval& scan);
 /// can, of at most two lengths. Inputs that the run does not name rest at 0.
 Stimulus to_stimulus(const TransitionSystem& ts, const FoundRun& run);
 
-/// Executes the terms scan by scan. Is `target` true at the end of the run, did
-/// the constraints hold throughout, and none of `never`?
+/// How stretches are executed.
+enum class Stretches : std::uint8_t {
+  ScanByScan,
+  AsOneScan,  // where JumpCircuit::exact() says that it is the same
+};
+
+/// Executes the terms. Is `target` true at the end of the run, did the
+/// constraints hold throughout, and none of `never`?
 bool reaches(const Cone& cone, const Run& run, ExprId target,
-             const std::vector<ExprId>& never = {});
+             const std::vector<ExprId>& never = {},
+             Stretches stretches = Stretches::ScanByScan);
 /// The first step of the run whose scan ends with `target`, from 1; 0 if none
 /// does, or if the constraints or `never` break the run before.
 std::uint32_t first_hit(const Cone& cone, const Run& run, ExprId target,
-                        const std::vector<ExprId>& never);
+                        const std::vector<ExprId>& never,
+                        Stretches stretches = Stretches::ScanByScan);
 
 }  // namespace rung

@@ -78,15 +78,22 @@ void Simulation::set_inputs(const std::vector<std::uint64_t>& bits) {
 
 /// A quarter of the lanes change inputs in every other step, a quarter in one
 /// of four, a quarter in one of eight, and the last one in one of sixteen, all
-/// at once: there long timers expire one after another.
+/// at once, patient lanes even less: there long timers expire one after
+/// another.
 std::uint64_t Simulation::changing_lanes() {
   constexpr std::uint64_t kQuarter = 0xffff;
   const std::uint64_t a = random();
   const std::uint64_t b = a & random();
   const std::uint64_t c = b & random();
-  const std::uint64_t calm = steps() % 16 == 0 ? kAll : 0;
+  const std::uint64_t calm = steps() % 16 == 0 ? ~kPatient : 0;
+  std::uint64_t patient = 0;
+  for (std::uint32_t lane = 0; lane < Lanes::kCount; ++lane) {
+    constexpr std::uint32_t kRests[] = {16, 32, 64, 256};  // steps
+    const std::uint32_t rest = kRests[lane / 4 % 4];
+    if (steps() % rest == 0) patient |= kPatient & std::uint64_t{1} << lane;
+  }
   return (a & kQuarter) | (b & kQuarter << 16U) | (c & kQuarter << 32U) |
-         (calm & kQuarter << 48U);
+         (calm & kQuarter << 48U) | patient;
 }
 
 /// New inputs in some lanes; most changes are of few inputs. In guided lanes
@@ -119,8 +126,10 @@ void Simulation::propose() {
       if ((touched >> lane & 1U) == 0) continue;
       const std::uint64_t dice = random();
       std::int64_t value = var.low;
-      if ((dice & 3U) == 1) value = var.high;
-      if ((dice & 3U) > 1) {
+      const bool patient =
+          is_dt && (kPatient >> lane & 1U) != 0 && lane / 4 % 4 != 3;
+      if (patient ? (lane & 2U) != 0 : (dice & 3U) == 1) value = var.high;
+      if (!patient && (dice & 3U) > 1) {
         value = var.low + static_cast<std::int64_t>((dice >> 2U) % span);
       }
       lanes_.set(leaves, lane, value);
@@ -187,9 +196,11 @@ Lanes::Values Simulation::waits() {
   const std::int64_t most =
       (std::int64_t{1} << (jump_->delta().size() - 1)) - 1;
   Lanes::Values deltas = times_to_event();
-  for (std::int64_t& delta : deltas) {
+  for (std::uint32_t lane = 0; lane < Lanes::kCount; ++lane) {
+    std::int64_t& delta = deltas[lane];
     const std::int64_t wait = std::max<std::int64_t>(delta - 1, 0);
-    const std::int64_t patience = kPatience[random() >> 8U & 3U];
+    const bool patient = (kPatient >> lane & 1U) != 0;
+    const std::int64_t patience = kPatience[patient ? 3 : random() >> 8U & 3U];
     delta = wait > patience ? 0 : legal_sum(std::min(wait, most));
   }
   return deltas;

@@ -20,6 +20,10 @@ namespace rung {
 /// Half of the lanes are guided: they start again and again where some run
 /// brought a number or a bit to where none had it. So a count or a sequence is
 /// climbed step by step, not by luck in one run.
+///
+/// A few lanes are patient: they wait as long as it takes, with the shortest or
+/// the longest scans only, and seldom change inputs. So a chain of timers runs
+/// to its end, and how far clocks drift apart is seen at its extremes.
 class Simulation {
  public:
   /// `first` is a model of the inputs that the constraints allow, by
@@ -34,6 +38,7 @@ class Simulation {
 
   /// Every other lane, so some of each pace.
   static constexpr std::uint64_t kGuided = 0x5555'5555'5555'5555U;
+  static constexpr std::uint64_t kPatient = 0xaaaa'0000'0000'0000U;
 
   std::uint32_t steps() const {
     return static_cast<std::uint32_t>(log_.size());

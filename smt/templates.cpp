@@ -35,7 +35,9 @@ Templates::Templates(TransitionSystem& ts, Cone& cone,
   columns_.resize(states.size());
   for (std::uint32_t i = 0; i < states.size(); ++i) {
     place_[states[i]] = i;
-    columns_[i].word = ts.vars[ts.states[states[i]].var].type == Type::Word;
+    const State& state = ts.states[states[i]];
+    columns_[i].word = ts.vars[state.var].type == Type::Word;
+    if (state.clock) columns_[i].running = state.running;
   }
   find_neighbours(roots);
 }
@@ -91,7 +93,32 @@ void Templates::sample(const Simulation& simulation) {
     for (std::uint32_t lane = 0; lane < Lanes::kCount; ++lane) {
       column.words.push_back(simulation.value(leaves, lane));
     }
+    if (!column.running.has_value()) continue;
+    const bool known = cone_->circuit().has(column.running);
+    column.runs.push_back(
+        known ? simulation.value(cone_->circuit().bit(column.running)) : 0);
   }
+}
+
+std::vector<std::uint64_t> Templates::signatures() const {
+  constexpr std::uint64_t kPrime = 0x0000'0100'0000'01b3U;
+  std::vector<std::uint64_t> result;
+  for (const Column& column : columns_) {
+    std::uint64_t hash = 0xcbf2'9ce4'8422'2325U;
+    const auto mix = [&](std::uint64_t value) {
+      hash = (hash ^ value) * kPrime;
+      hash ^= hash >> 29U;
+    };
+    for (std::size_t i = 0; i < column.bits.size(); ++i) {
+      mix(column.bits[i] & alive_[i]);
+    }
+    for (std::size_t at = 0; at < column.words.size(); ++at) {
+      const bool alive = (alive_[at / 64] >> at % 64 & 1U) != 0;
+      mix(alive ? static_cast<std::uint64_t>(column.words[at]) : 0);
+    }
+    result.push_back(hash);
+  }
+  return result;
 }
 
 void Templates::add_literal(std::uint32_t state, ExprId term, Lanes64 holds) {
@@ -103,6 +130,7 @@ void Templates::make_literals() {
   literals_.clear();
   const auto constants = thresholds(*cone_);
   literals_of_.assign(columns_.size(), {});
+  thresholds_.assign(columns_.size(), {});
   for (std::uint32_t i = 0; i < columns_.size(); ++i) {
     const Column& column = columns_[i];
     const ExprId x = ts_.state_expr(cone_->states()[i]);
@@ -111,6 +139,7 @@ void Templates::make_literals() {
       continue;
     }
     std::vector<std::int64_t> bounds = constants.at(cone_->states()[i]);
+    thresholds_[i] = bounds;
     bounds.push_back(ts_.exprs[x].low + 1);  // is it at its lowest
     for (std::int64_t c : bounds) {
       const ExprId term = ts_.exprs.less_equal(ts_.exprs.word(c), x);
@@ -147,12 +176,12 @@ void Templates::add(LemmaClause clause, std::vector<Candidate>& result) {
   if (signal != kAigTrue) result.push_back({std::move(clause), signal});
 }
 
-void Templates::pair_up(std::vector<Candidate>& result) {
+void Templates::pair_up(Constants constants, std::vector<Candidate>& result) {
   std::vector<bool> settled(literals_.size(), false);
   for (std::size_t i = 0; i < literals_.size(); ++i) {
     for (const bool value : {false, true}) {
       if (settled[i] || !always(literals_[i].holds, value)) continue;
-      settled[i] = true;
+      settled[i] = constants == Constants::Alone;
       add({{literals_[i].term, {}, 0, !value}}, result);
     }
   }
@@ -224,12 +253,44 @@ void Templates::relate(std::uint32_t x, std::uint32_t y,
   offer(ts_.exprs.less_equal(q, p), more, guards, result);
 }
 
-std::vector<Candidate> Templates::candidates() {
+/// How far the clock x is behind y while x runs, and has not come to what it
+/// is compared with.
+void Templates::follow(std::uint32_t x, std::uint32_t y,
+                       std::vector<Candidate>& result) {
+  const Column& of_x = columns_[x];
+  const Column& of_y = columns_[y];
+  if (!of_x.running.has_value() || !of_y.running.has_value()) return;
+  const ExprId clock = ts_.state_expr(cone_->states()[x]);
+  const ExprId other = ts_.state_expr(cone_->states()[y]);
+  for (const std::int64_t p : thresholds_[x]) {
+    constexpr std::int64_t kNone = -ExprArena::kUnbounded;
+    std::int64_t most = kNone;
+    for (std::size_t at = 0; at < of_x.words.size(); ++at) {
+      const std::uint64_t counts = of_x.runs[at / 64] & alive_[at / 64];
+      if ((counts >> at % 64 & 1U) == 0 || of_x.words[at] >= p) continue;
+      most = std::max(most, of_y.words[at] - of_x.words[at]);
+    }
+    if (most == kNone || most >= ts_.exprs[other].high - 1) continue;
+    const ExprId behind =
+        ts_.exprs.less_equal(other, ts_.exprs.add(clock, ts_.exprs.word(most)));
+    const ExprId done = ts_.exprs.less_equal(ts_.exprs.word(p), clock);
+    if (ts_.exprs.is_constant(behind) || ts_.exprs.is_constant(done)) continue;
+    add({{behind, {}, 0, false},
+         {done, {}, 0, false},
+         {of_x.running, {}, 0, true}},
+        result);
+  }
+}
+
+std::vector<Candidate> Templates::candidates(Constants constants) {
   std::vector<Candidate> result;
   make_literals();
-  pair_up(result);
+  pair_up(constants, result);
   for (const auto& [x, y] : pairs_) {
-    if (columns_[x].word && columns_[y].word) relate(x, y, result);
+    if (!columns_[x].word || !columns_[y].word) continue;
+    relate(x, y, result);
+    follow(x, y, result);
+    follow(y, x, result);
   }
   return result;
 }

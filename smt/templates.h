@@ -23,7 +23,9 @@ AigLit signal_of(Cone& cone, const LemmaClause& clause);
 /// Guesses lemmas of the shapes that rung programs need: constants,
 /// implications between bits and between comparisons of words (`x == 0`,
 /// `x >= P`) that read each other, `x == y`, `x <= y` and `x == min(y, cap)`
-/// of clocks and counters, also under a bit. What a random run refutes is left
+/// of clocks and counters, also under a bit, and how far a clock that runs is
+/// behind another: `runs -> x >= P || y <= x + c`, with c as runs show it (sums
+/// of presets along a chain of timers). What a random run refutes is left
 /// out; the rest is for an induction to thin out.
 ///
 /// Pairs are taken among all of a small cone, else among structural
@@ -37,8 +39,17 @@ class Templates {
   /// Remembers the states of one simulation step.
   void sample(const Simulation& simulation);
 
+  /// Of what was sampled of each state, by place in Cone::states(): equal for
+  /// states that were equal.
+  std::vector<std::uint64_t> signatures() const;
+
+  /// What a literal that never changed in the samples is good for.
+  enum class Constants : std::uint8_t {
+    Alone,  // it is a candidate, and makes no pairs
+    Pairs,  // it was not to be shown alone: the samples did not come that far
+  };
   /// Those that all samples meet.
-  std::vector<Candidate> candidates();
+  std::vector<Candidate> candidates(Constants constants);
 
  private:
   using Lanes64 = std::vector<std::uint64_t>;  // by sample
@@ -51,6 +62,8 @@ class Templates {
   };
   struct Column {  // what was sampled of a state
     bool word = false;
+    ExprId running;  // of a clock
+    Lanes64 runs;
     Lanes64 bits;
     std::vector<std::int64_t> words;  // sample * 64 + lane
   };
@@ -61,8 +74,9 @@ class Templates {
   bool near(std::uint32_t x, std::uint32_t y) const;
   void make_literals();
   void add_literal(std::uint32_t state, ExprId term, Lanes64 holds);
-  void pair_up(std::vector<Candidate>& result);
+  void pair_up(Constants constants, std::vector<Candidate>& result);
   void relate(std::uint32_t x, std::uint32_t y, std::vector<Candidate>& result);
+  void follow(std::uint32_t x, std::uint32_t y, std::vector<Candidate>& result);
   void offer(ExprId relation, const Lanes64& holds,
              const std::vector<std::uint32_t>& guards,
              std::vector<Candidate>& result);
@@ -76,6 +90,7 @@ class Templates {
   std::unordered_map<std::uint32_t, std::uint32_t> place_;      // of a state
   std::vector<Column> columns_;                                 // by place
   std::vector<std::vector<std::uint32_t>> literals_of_;         // by place
+  std::vector<std::vector<std::int64_t>> thresholds_;           // by place
   std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs_;  // of places
   std::vector<Literal> literals_;
   Lanes64 alive_;

@@ -11,6 +11,9 @@ namespace {
 
 using Status = Target::Status;
 
+/// Executed to see that a left side can be true: some three seconds.
+constexpr std::uint64_t kMostRungs = 30'000'000;
+
 /// Test only: an invariant that no state meets; its initiation must fail.
 void corrupt(Invariant& invariant) { invariant.lemmas.emplace_back(); }
 
@@ -339,6 +342,12 @@ void Verdicts::judge_vacuity(std::size_t i, ObligationResult& result) {
   }
   const bool reached = target.status == Status::Reached;
   if (reached && options_.self_check && !replayed_[trigger]) {
+    if (scan_count(target.run.steps, ts_.scan) * program_.rungs.size() >
+        kMostRungs) {
+      result.reason =
+          "the run found to its left side is too long to be executed";
+      return;
+    }
     replay_together(target.run, {{i, true}});
     if (!replayed_[trigger] && wider_than_program(target).empty()) {
       return fail(result, "engine " + std::string(target.engine) +
