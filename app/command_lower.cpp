@@ -11,6 +11,7 @@
 #include "backend/ascii/write.h"
 #include "backend/il_iec/write.h"
 #include "backend/il_mitsubishi/write.h"
+#include "backend/plclib/write.h"
 #include "backend/plcopen/write.h"
 #include "backend/postfix/lower.h"
 #include "backend/script/write.h"
@@ -33,7 +34,7 @@ constexpr std::array kTargets = {
     Target{"postfix", true},
     Target{"il-iec", true, lower_to_il_iec},
     Target{"il-mitsubishi", true, lower_to_il_mitsubishi},
-    Target{"plclib"},
+    Target{"plclib", true, lower_to_plclib},
     Target{"plcopen", true, lower_to_plcopen},
     Target{"ldmicro"},
     Target{"ascii", true, lower_to_ascii},

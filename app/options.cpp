@@ -243,9 +243,9 @@ void add_commands(CLI::App& app, RawOptions& raw, Options& options) {
       add_command(app, "lower", "write a program in another language");
   add_files(lower, options, 1, 1);
   lower
-      ->add_option(
-          "--to", options.to,
-          "the language: postfix, il-iec, st, script, il-mitsubishi, ascii")
+      ->add_option("--to", options.to,
+                   "the language: postfix, il-iec, st, script, il-mitsubishi, "
+                   "ascii, plcopen, plclib")
       ->required();
   lower->add_option("-o,--output", options.output, "the file to write");
   lower->add_flag("--binary", options.binary,

@@ -22,8 +22,8 @@ _rungproof() {
       COMPREPLY=($(compgen -W "yun sim iec openplc beremiz-py2 esbmc 
         ldmicro0.1 ldmicro0.2 logix s7 melsec plclib plclib14" -- "$current")) ;;
     --language)
-      COMPREPLY=($(compgen -W "script postfix il-iec st plcopen ldmic
-        ro ascii il-mitsubishi stl l5x rungs plclib" -- "$current")) ;;
+      COMPREPLY=($(compgen -W "script postfix il-iec st plcopen ldmicro
+        ascii il-mitsubishi stl l5x rungs plclib" -- "$current")) ;;
     --engine)
       COMPREPLY=($(compgen -W "bmc induction pdr simulation" -- "$current")) ;;
     --fail-on)
@@ -31,7 +31,7 @@ _rungproof() {
     --color) COMPREPLY=($(compgen -W "auto always never" -- "$current")) ;;
     --self-check) COMPREPLY=($(compgen -W "on off" -- "$current")) ;;
     --recheck) COMPREPLY=($(compgen -W "cvc5" -- "$current")) ;;
-    --to) COMPREPLY=($(compgen -W "postfix il-iec st script il-mitsubishi ascii plcopen" -- "$current")) ;;
+    --to) COMPREPLY=($(compgen -W "postfix il-iec st script il-mitsubishi ascii plcopen plclib" -- "$current")) ;;
     --certificates) COMPREPLY=($(compgen -d -- "$current")) ;;
     --scan|--timeout|--jobs|--property|--map|--scans|--dt|--rung|--delay|--git) ;;
     *)

@@ -25,6 +25,7 @@ class Finder {
                                    : Bounds{cell.initial, cell.initial});
     }
     found_.nodes.resize(program.nodes.size());
+    found_.overflows.resize(program.nodes.size(), false);
   }
 
   WordBounds run() {
@@ -86,6 +87,7 @@ class Finder {
     } else {
       bounds = bounds_of(node.op, found_.nodes[node.a], found_.nodes[node.b]);
     }
+    found_.overflows[at] = clamped(bounds) != bounds;
     bounds = clamped(bounds);
   }
 

@@ -23,8 +23,9 @@ Bounds bounds_of(NodeOp op, Bounds left, Bounds right);
 
 /// Bounds of every word of a program, in every scan from power-up.
 struct WordBounds {
-  std::vector<Bounds> cells;  // by CellId
-  std::vector<Bounds> nodes;  // by node
+  std::vector<Bounds> cells;    // by CellId
+  std::vector<Bounds> nodes;    // by node
+  std::vector<bool> overflows;  // by node: it may leave 32 bits
 };
 
 /// Limits: linear in the program; a word that keeps growing has the bounds of

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <set>
 #include <string>
@@ -16,6 +17,9 @@ namespace rung::backend {
 /// and what stands for it.
 class MappedElements : public Elements {
  public:
+  explicit MappedElements(std::int64_t largest_word = 32'767)
+      : largest_word_(largest_word) {}
+
   void declare(UnitBuilder& builder) override;
 
  protected:
@@ -50,6 +54,33 @@ class MappedElements : public Elements {
     return read_term(use.states.at(name), type);
   }
 
+  /// Executes an on-delay; gives its output.
+  using RunOnDelay =
+      std::function<Terms(Terms input, std::int64_t milliseconds)>;
+  /// With the state `started`: T and TR of the yun dialect.
+  static Terms timer_yun(UnitBuilder& builder, const ElementCall& call,
+                         Use& use, const Terms& argument,
+                         const RunOnDelay& run);
+  /// With the state `out`: an off-delay is an on-delay of its input's absence.
+  static Terms off_delay(UnitBuilder& builder, const ElementCall& call,
+                         Use& use, const Terms& argument,
+                         const RunOnDelay& run);
+  /// With the states `value` and `last`: C and CR of the yun dialect, C of sim.
+  Terms counter_yun(UnitBuilder& builder, const ElementCall& call, Use& use,
+                    const Terms& argument) const;
+  Terms counter_sim(UnitBuilder& builder, const ElementCall& call, Use& use,
+                    const std::vector<Terms>& arguments) const;
+  static void relate_counter(UnitBuilder& builder, const Instance& instance,
+                             const Use& use);
+  /// A count or `factor` times it, as a word.
+  std::int64_t preset_word(UnitBuilder& builder, const ElementCall& call,
+                           std::int64_t factor) const;
+  static Terms value_and(NodeOp op, const Use& use, std::int64_t number,
+                         Type type = Type::Bit) {
+    return joined(op, type, state(use, "value", Type::Word),
+                  constant_term(Type::Word, number));
+  }
+
   /// With the state `last`: SR (or RS), and R_TRIG, F_TRIG, RISE, FALL.
   static Terms latch_as_bit(UnitBuilder& builder, Use& use, bool set_dominates,
                             const std::vector<Terms>& arguments);
@@ -57,6 +88,7 @@ class MappedElements : public Elements {
                            Use& use, const Terms& argument);
 
  private:
+  std::int64_t largest_word_;
   std::vector<Use> uses_;  // by InstanceId
 };
 

@@ -36,9 +36,11 @@ class IecElements : public MappedElements {
         builder.program().instances[call.instance].kind->id;
     if (kind == "timer-yun") return timer_yun(builder, call, arguments);
     if (kind == "timer-sim") return timer_sim(builder, call, arguments);
-    if (kind == "timer-off-sim") return off_delay(builder, call, arguments);
+    if (kind == "timer-off-sim") return timer_off(builder, call, arguments);
     if (kind == "counter-yun") return counter_yun(builder, call, arguments);
-    if (kind == "counter-sim") return counter_sim(builder, call, arguments);
+    if (kind == "counter-sim") {
+      return counter_sim(builder, call, use_of(call), arguments);
+    }
     if (kind == "edge") return edge(builder, call, arguments);
     return own_block(builder, call, std::move(arguments));
   }
@@ -134,11 +136,7 @@ class IecElements : public MappedElements {
           {{"l", name + "last"},
            {"m", builder.unit().blocks[use.block].name + ".CU", true}});
     } else if (kind == "counter-yun" || kind == "counter-sim") {
-      add("v == w", {{"v", name + "value"}, {"w", of("value"), true}});
-      add("v >= 0", {{"v", name + "value"}});
-      add("l <-> m",
-          {{"l", name + (kind == "counter-sim" ? "last_up" : "last")},
-           {"m", of("last"), true}});
+      relate_counter(builder, instance, use);
     } else if (instance.kind->family == ElementFamily::Timer &&
                !instance.kind->is_in(dialect_)) {
       const std::string_view other = instance.kind->letter == "TON"   ? "ton"
@@ -262,26 +260,20 @@ class IecElements : public MappedElements {
 
   // --- elements of scripts ---------------------------------------------------
 
-  /// The controller's timer runs on until TR resets it, so a bit holds its
-  /// input; it is done when more than the preset has passed.
   Terms timer_yun(UnitBuilder& builder, const ElementCall& call,
                   const std::vector<Terms>& arguments) {
     Use& use = use_of(call);
-    Terms input = builder.kept(arguments[0]);
-    const CellId started = use.states.at("started");
-    const bool resets = call.operation->resets;
-    builder.assign(
-        started, resets ? both(state(use, "started"), negated(input))
-                        : joined(Or, Type::Bit, state(use, "started"), input));
-    const std::int64_t preset =
-        resets ? builder.program().instances[call.instance].largest_parameter
-               : given_preset(call, use);
-    builder.call(use.block,
-                 {{pin_cell(builder, use, "IN"), state(use, "started")}},
-                 preset_of(builder, call, preset + 1));
-    if (resets) return input;
-    return builder.result_of(
-        call, both(input, has_run(builder, use, call.parameter + 1)));
+    return MappedElements::timer_yun(
+        builder, call, use, arguments[0],
+        [&](Terms input, std::int64_t milliseconds) {
+          const bool resets = call.operation->resets;
+          const std::int64_t given =
+              resets ? milliseconds : given_preset(call, use) + 1;
+          builder.call(use.block,
+                       {{pin_cell(builder, use, "IN"), std::move(input)}},
+                       preset_of(builder, call, given));
+          return resets ? Terms() : has_run(builder, use, milliseconds);
+        });
   }
 
   /// Has the timer run for this long? What matiec's blocks have come to is not
@@ -314,7 +306,7 @@ class IecElements : public MappedElements {
     return builder.result_of(call, has_run(builder, use, call.parameter));
   }
 
-  Terms off_delay(UnitBuilder& builder, const ElementCall& call,
+  Terms timer_off(UnitBuilder& builder, const ElementCall& call,
                   const std::vector<Terms>& arguments) {
     Use& use = use_of(call);
     if (!use.block.has_value()) return arguments[0];
@@ -333,14 +325,11 @@ class IecElements : public MappedElements {
   Terms counter_yun(UnitBuilder& builder, const ElementCall& call,
                     const std::vector<Terms>& arguments) {
     Use& use = use_of(call);
-    const bool resets = call.operation->resets;
     if (!use.block.has_value()) {
-      Terms input = builder.kept(arguments[0]);
-      return resets ? clear(builder, use, input)
-                    : count(builder, call, use, input);
+      return MappedElements::counter_yun(builder, call, use, arguments[0]);
     }
     const CellId reset = pin_cell(builder, use, "R");
-    if (resets) {
+    if (call.operation->resets) {
       // Without CU: the edge memory stays as it is.
       Terms input = builder.kept(arguments[0]);
       builder.call(use.block, {{reset, input}}, {});
@@ -353,78 +342,6 @@ class IecElements : public MappedElements {
                    constant_term(Type::Word, preset_word(builder, call, 1))}},
                  {});
     return builder.result_of(call, pin(builder, use, "Q"));
-  }
-
-  static Terms clear(UnitBuilder& builder, Use& use, const Terms& input) {
-    builder.assign_when(input, use.states.at("value"),
-                        constant_term(Type::Word, 0));
-    return input;
-  }
-
-  /// A count or `factor` times it, as a word.
-  static std::int64_t preset_word(UnitBuilder& builder, const ElementCall& call,
-                                  std::int64_t factor) {
-    if (call.parameter > 32'766 / factor) {
-      builder.fail(call.where, "the count " + std::to_string(call.parameter) +
-                                   " is too large for the 16 bits of an INT" +
-                                   (factor == 1 ? ""
-                                                : ": this counter goes up to " +
-                                                      std::to_string(factor) +
-                                                      " times it"));
-    }
-    return std::min<std::int64_t>(call.parameter, 32'766 / factor);
-  }
-
-  static Terms one_more(const Use& use) {
-    return joined(Add, Type::Word, state(use, "value", Type::Word),
-                  constant_term(Type::Word, 1));
-  }
-  static Terms compared(NodeOp op, const Use& use, std::int64_t value) {
-    return joined(op, Type::Bit, state(use, "value", Type::Word),
-                  constant_term(Type::Word, value));
-  }
-
-  Terms count(UnitBuilder& builder, const ElementCall& call, Use& use,
-              const Terms& input) {
-    const std::int64_t preset = preset_word(builder, call, 1);
-    const Terms edge = both(input, negated(state(use, "last")));
-    builder.assign_when(both(edge, compared(Less, use, preset)),
-                        use.states.at("value"), one_more(use));
-    builder.assign(use.states.at("last"), input);
-    return builder.result_of(call, compared(GreaterEqual, use, preset));
-  }
-
-  Terms counter_sim(UnitBuilder& builder, const ElementCall& call,
-                    const std::vector<Terms>& arguments) {
-    Use& use = use_of(call);
-    if (!is_false(arguments[1])) {
-      builder.fail(call.where,
-                   "this counter counts down without a bound: no INT holds "
-                   "that");
-    }
-    const std::int64_t last = preset_word(builder, call, 50) * 50;
-    const Terms up = builder.kept(arguments[0]);
-    const bool resets = !is_false(arguments[2]);
-    const Terms reset = resets ? builder.kept(arguments[2]) : arguments[2];
-    Terms counts = both(up, negated(state(use, "last")));
-    Terms next = up;
-    Terms done = compared(Equal, use, call.parameter);
-    if (resets) {
-      counts = both(std::move(counts), negated(reset));
-      next = both(std::move(next), negated(reset));
-      done = both(std::move(done), negated(reset));
-    }
-    const CellId value = use.states.at("value");
-    builder.assign_when(counts, value, one_more(use));
-    if (resets) {
-      builder.assign_when(reset, value, constant_term(Type::Word, 0));
-    }
-    builder.assign(use.states.at("last"), std::move(next));
-    Terms result = builder.kept(std::move(done));
-    // It never stands far above its count.
-    builder.assign_when(compared(Greater, use, last), value,
-                        constant_term(Type::Word, call.parameter + 1));
-    return result;
   }
 
   Terms edge(UnitBuilder& builder, const ElementCall& call,

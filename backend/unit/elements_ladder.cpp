@@ -31,13 +31,19 @@ class LadderElements : public MappedElements {
       return builder.result_of(
           call, latch_as_bit(builder, use, kind == "sr", arguments));
     }
-    if (kind == "timer-yun") return timer_yun(builder, call, arguments[0]);
+    const auto on_delay = [&](Terms input, std::int64_t milliseconds) {
+      return run(builder, call, std::move(input), milliseconds);
+    };
+    if (kind == "timer-yun") {
+      return timer_yun(builder, call, use, arguments[0], on_delay);
+    }
     if (kind == "timer-sim" || kind == "ton" || kind == "tp") {
       return timer(builder, call, kind, arguments[0]);
     }
     if (kind == "timer-off-sim" || kind == "tof") {
-      return timers_.all_of_iec ? timer(builder, call, kind, arguments[0])
-                                : off_delay(builder, call, arguments[0]);
+      return timers_.all_of_iec
+                 ? timer(builder, call, kind, arguments[0])
+                 : off_delay(builder, call, use, arguments[0], on_delay);
     }
     return edge_as_bit(builder, call, use, arguments[0]);
   }
@@ -144,37 +150,6 @@ class LadderElements : public MappedElements {
       return kind == "tp" ? constant_term(Type::Bit, 0) : input;
     }
     return builder.result_of(call, run(builder, call, input, call.parameter));
-  }
-
-  Terms off_delay(UnitBuilder& builder, const ElementCall& call,
-                  const Terms& argument) {
-    if (call.parameter == 0) return argument;
-    Use& use = use_of(call);
-    const Terms input = builder.kept(argument);
-    const Terms out = state(use, "out");
-    const Terms over =
-        run(builder, call, both(negated(input), out), call.parameter);
-    builder.assign(use.states.at("out"),
-                   either(input, both(out, negated(over))));
-    return builder.result_of(call, out);
-  }
-
-  /// Runs on until TR resets it; done when more than its time has passed.
-  Terms timer_yun(UnitBuilder& builder, const ElementCall& call,
-                  const Terms& argument) {
-    Use& use = use_of(call);
-    Terms input = builder.kept(argument);
-    const Terms started = state(use, "started");
-    const bool resets = call.operation->resets;
-    builder.assign(use.states.at("started"), resets
-                                                 ? both(started, negated(input))
-                                                 : either(started, input));
-    const std::int64_t preset =
-        resets ? builder.program().instances[call.instance].largest_parameter
-               : call.parameter;
-    const Terms done = run(builder, call, started, preset + 1);
-    if (resets) return input;
-    return builder.result_of(call, both(input, done));
   }
 
   LadderTimers timers_;

@@ -75,6 +75,7 @@ std::string NameTable::key_of(std::string_view name) const {
 }
 
 bool NameTable::take(const std::string& name) {
+  if (rules_->is_reserved != nullptr && rules_->is_reserved(name)) return false;
   return taken_.insert(key_of(name)).second;
 }
 

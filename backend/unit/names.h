@@ -16,6 +16,7 @@ struct NameRules {
   bool ignores_case = true;
   bool plain_underscores = false;  // any number of them, at any place
   std::size_t longest = 0;         // 0: any length
+  bool (*is_reserved)(std::string_view name) = nullptr;  // more of them
 };
 
 /// Gives every variable of a target a name of its own: the source's where the

@@ -328,7 +328,8 @@ std::optional<Value> Machine::named_value(std::string_view name,
   if (range.low == range.high) {
     return arithmetic_.number(range.low, variable.type, where);
   }
-  return Arithmetic::cell(name, !range.is_bit(), range, variable.type, where);
+  return Arithmetic::cell(name, is_word(name, variable), range, variable.type,
+                          where);
 }
 
 /// A call that only looks: `digitalRead(X0)`, `counter1.count()`.

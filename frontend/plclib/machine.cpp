@@ -210,8 +210,7 @@ void Machine::note(std::string_view name, Range range, CType type) {
   estimates_.grown = true;
 }
 
-Range Machine::estimate(const std::string_view& name,
-                        const Variable& variable) const {
+Range Machine::estimate(std::string_view name, const Variable& variable) const {
   if (variable.constant) return {variable.initial, variable.initial};
   // A long chain of variables: no more is learned of each of them.
   if (estimates_.pass >= kGiveUpPass) {
@@ -219,6 +218,11 @@ Range Machine::estimate(const std::string_view& name,
   }
   const auto found = estimates_.ranges.find(name);
   return found == estimates_.ranges.end() ? Range{} : found->second;
+}
+
+/// A `long` is a number, whatever it may hold.
+bool Machine::is_word(std::string_view name, const Variable& variable) const {
+  return variable.type == CType::Long || !estimate(name, variable).is_bit();
 }
 
 void Machine::finish() {
@@ -267,7 +271,8 @@ void Machine::declare_outputs() {
     const Range range = estimate(name, variable);
     const std::uint32_t place = writer_.declare(
         name,
-        range.is_bit() ? kBitCell : CellShape{true, range.low, range.high},
+        is_word(name, variable) ? CellShape{true, range.low, range.high}
+                                : kBitCell,
         AstDeclaration::Kind::Memory, variable.where);
     ast_.declarations[place].initial = variable.initial;
     ast_.declarations[place].initialised = true;
@@ -430,7 +435,7 @@ void Machine::assign(std::string_view name, Value value, SourceRange where) {
     return fail("RP055", where,
                 "a value that is not constant in setup() is not supported");
   }
-  write(name, !estimate(name, variable).is_bit(), std::move(*converted), where);
+  write(name, is_word(name, variable), std::move(*converted), where);
 }
 
 /// The accumulator keeps its value when `name` is written.

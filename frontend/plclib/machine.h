@@ -137,7 +137,8 @@ class Machine {
   void finish();
   void declare_outputs();
   void note(std::string_view name, Range range, CType type);
-  Range estimate(const std::string_view& name, const Variable& variable) const;
+  Range estimate(std::string_view name, const Variable& variable) const;
+  bool is_word(std::string_view name, const Variable& variable) const;
   std::optional<std::int64_t> pin_number(std::string_view name) const;
   Pin* pin_at(std::int64_t number, std::string_view name, SourceRange where);
   Pin* pin_of(const Argument& argument);

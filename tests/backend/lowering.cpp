@@ -9,6 +9,7 @@
 #include "backend/ascii/write.h"
 #include "backend/il_iec/write.h"
 #include "backend/il_mitsubishi/write.h"
+#include "backend/plclib/write.h"
 #include "backend/plcopen/write.h"
 #include "backend/script/write.h"
 #include "backend/st/write.h"
@@ -25,6 +26,7 @@ const std::vector<WrittenLanguage>& written_languages() {
       {"ascii", lower_to_ascii},
       {"st", lower_to_st},
       {"plcopen", lower_to_plcopen},
+      {"plclib", lower_to_plclib},
   };
   return kAll;
 }

@@ -27,6 +27,7 @@ const std::map<std::string_view, Refused> kRefused = {
     {"ascii", {15, 94, 77}},
     {"st", {1, 31, 14}},
     {"plcopen", {1, 31, 14}},
+    {"plclib", {2, 59, 30}},
 };
 constexpr std::size_t kRandom = 100;
 

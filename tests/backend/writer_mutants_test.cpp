@@ -25,6 +25,11 @@ constexpr const char* kBits =
     "Q0 = (I0 || Q0) && !I1;\n"
     "Q3 = Q1 && (I4 || I5 && !I6) || Q0 && I2;\n"
     "Q1 = !I3;\n";
+constexpr const char* kPoints =
+    "//@ input IW0 in 0..90\n"
+    "Q3 = C(0, 3, I2, false, I1);\n"
+    "Q4 = I1 && (I3 || Q3);\n"
+    "Q5 = IW0 > 20 && (IW0 < 50 || Q5);\n";
 constexpr const char* kTimers =
     "Q1 = T(0, 0.2, I0 && !I2);\n"
     "Q2 = TOF(1, 0.3, I3);\n";
@@ -127,6 +132,23 @@ const Mistake kMistakes[] = {
     {"ascii", kBits, "Q0      I2", "I3      I2"},
     {"ascii", kTimers, "200ms", "201ms"},
     {"ascii", kTimers, "| TOF |", "| TON |"},
+    // A sketch.
+    {"plclib", kBits, "andNotBit(I1)", "andBit(I1)"},
+    {"plclib", kBits, "  inNot(I3)", "  in(I3)"},
+    {"plclib", kBits, "  orBit(Q0);\n", ""},
+    {"plclib", kBits, "stack.orBlock()", "stack.andBlock()"},
+    {"plclib", kBits, "stack.push();\n  in(", "stack.push();\n  inNot("},
+    {"plclib", kTimers, "(T_0, 200)", "(T_0, 201)"},
+    {"plclib", kTimers, "timerOn(T_0", "timerOff(T_0"},
+    {"plclib", kTimers, "timerOn(TOF_1", "timerOn(T_0"},
+    {"plclib", kTimers, "in(TOF_1_out)", "inNot(TOF_1_out)"},
+    {"plclib", kPoints, "in(I2_now)", "in(I1_now)"},
+    {"plclib", kPoints, "  andBit(I1_now)", "  andBit(I2_now)"},
+    {"plclib", kPoints, "value == 3", "value >= 3"},
+    {"plclib", kPoints, "value = 0;\n  }", "value = 1;\n  }"},
+    {"plclib", kPoints, "IW0_now > 20", "IW0_now >= 20"},
+    {"plclib", kYun, "(T_0, 201)", "(T_0, 200)"},
+    {"plclib", kEdges, "out(E_1_last)", "out(E_0_last)"},
 };
 
 class WriterMutants : public testing::TestWithParam<Mistake> {};
