@@ -56,6 +56,8 @@ Invariant without(const Part& part, const std::vector<std::uint32_t>& claims,
       (open[i] ? dropped : rest.lemmas).push_back(lemma);
     } else if (claim.kind == ScriptClaim::Kind::Condition && !open[i]) {
       rest.conditions.push_back(part.invariant.conditions[claim.index]);
+    } else if (claim.kind == ScriptClaim::Kind::Consequence && !open[i]) {
+      rest.consequences.push_back(part.invariant.consequences[claim.index]);
     }
   }
   return rest;
@@ -84,6 +86,9 @@ std::string describe(const TransitionSystem& ts, const Invariant& invariant,
     case ScriptClaim::Kind::Condition:
       return what + " of `" + to_string(ts, invariant.conditions[claim.index]) +
              "`";
+    case ScriptClaim::Kind::Consequence:
+      return what + " of the consequence `" +
+             to_string(ts, invariant.consequences[claim.index]) + "`";
     case ScriptClaim::Kind::Range:
       return what + " of the range of `" +
              ts.vars[ts.states[claim.index].var].name + "`";

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <unordered_map>
+#include <unordered_set>
 #include <utility>
 
 namespace rung {
@@ -11,6 +12,8 @@ namespace {
 std::vector<ExprId> roots_of(const TransitionSystem& ts,
                              const Invariant& invariant) {
   std::vector<ExprId> roots = invariant.conditions;
+  roots.insert(roots.end(), invariant.consequences.begin(),
+               invariant.consequences.end());
   roots.insert(roots.end(), ts.constraints.begin(), ts.constraints.end());
   for (const LemmaClause& lemma : invariant.lemmas) {
     for (const LemmaAtom& atom : lemma) {
@@ -20,11 +23,39 @@ std::vector<ExprId> roots_of(const TransitionSystem& ts,
   return roots;
 }
 
+/// The inputs that assumptions about the past speak of: they tie what reads
+/// them to what is known of that past.
+std::unordered_set<ExprId> tying_inputs(const TransitionSystem& ts) {
+  std::unordered_set<ExprId> seen;
+  std::unordered_set<ExprId> inputs;
+  bool any_state = false;
+  std::vector<ExprId> open = ts.constraints;
+  while (!open.empty()) {
+    const ExprId id = open.back();
+    open.pop_back();
+    if (!seen.insert(id).second) continue;
+    const Expr& e = ts.exprs[id];
+    for (const ExprId operand : {e.a, e.b, e.c}) {
+      if (operand.has_value()) open.push_back(operand);
+    }
+    if (e.op != ExprOp::Variable) continue;
+    if (ts.vars[e.var].role == VarRole::State) {
+      any_state = true;
+    } else {
+      inputs.insert(id);
+    }
+  }
+  if (!any_state) inputs.clear();
+  return inputs;
+}
+
 /// The terms of a cone, joined where one is made of the other, now or in the
-/// next scan. Terms without a state join nothing: inputs may be shared.
+/// next scan. Terms without a state join nothing: inputs may be shared, unless
+/// assumptions tie them to a state.
 class TermGroups {
  public:
-  TermGroups(const TransitionSystem& ts, std::vector<ExprId> open) : ts_(ts) {
+  TermGroups(const TransitionSystem& ts, std::vector<ExprId> open)
+      : ts_(ts), tying_(tying_inputs(ts)) {
     while (!open.empty()) {
       const ExprId id = open.back();
       open.pop_back();
@@ -72,7 +103,7 @@ class TermGroups {
   void join_operands(ExprId id) {
     const std::uint32_t i = place_.at(id);
     const Expr& e = ts_.exprs[id];
-    has_state_[i] = next_of(id).has_value();
+    has_state_[i] = next_of(id).has_value() || tying_.count(id) != 0;
     for (const ExprId operand : {e.a, e.b, e.c}) {
       if (!operand.has_value() || !has_state(operand)) continue;
       has_state_[i] = true;
@@ -81,6 +112,7 @@ class TermGroups {
   }
 
   const TransitionSystem& ts_;
+  std::unordered_set<ExprId> tying_;
   std::unordered_map<ExprId, std::uint32_t> place_;
   std::vector<ExprId> terms_;
   std::vector<std::uint32_t> parent_;  // by place
@@ -142,6 +174,9 @@ std::vector<Invariant> split_certificate(const TransitionSystem& ts,
   }
   for (const ExprId condition : invariant.conditions) {
     parts.of({condition}).conditions.push_back(condition);
+  }
+  for (const ExprId consequence : invariant.consequences) {
+    parts.of({consequence}).consequences.push_back(consequence);
   }
   return parts.take();
 }

@@ -30,12 +30,17 @@ using LemmaClause = std::vector<LemmaAtom>;
 ///   step  L(s0) .. L(sk), P in scans 0 .. k-1, C in scans 0 .. k
 ///         implies P in scan k and L(s(k+1))
 ///
+/// and so do the `consequences`, which are about any scan from such a state,
+/// whether or not the constraints allow it: they assume C in the scans before
+/// theirs only.
+///
 /// With k = 0 that is an ordinary inductive invariant: initiation, consecution
 /// and safety over one scan.
 struct Invariant {
   std::uint32_t k = 0;
   std::vector<LemmaClause> lemmas;
   std::vector<ExprId> conditions;
+  std::vector<ExprId> consequences;
 };
 
 /// A lemma in the program's names; bits are printed as `T(0).elapsed[3]`.

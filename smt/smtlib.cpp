@@ -93,6 +93,8 @@ class ScriptWriter {
 
   void find_roots() {
     roots_ = invariant_.conditions;
+    roots_.insert(roots_.end(), invariant_.consequences.begin(),
+                  invariant_.consequences.end());
     roots_.insert(roots_.end(), ts_.constraints.begin(), ts_.constraints.end());
     for (const LemmaClause& lemma : invariant_.lemmas) {
       for (const LemmaAtom& atom : lemma) {
@@ -172,6 +174,9 @@ class ScriptWriter {
     }
     for (std::size_t i = 0; i < invariant_.conditions.size(); ++i) {
       add(ScriptClaim::Kind::Condition, i, "condition", i);
+    }
+    for (std::size_t i = 0; i < invariant_.consequences.size(); ++i) {
+      add(ScriptClaim::Kind::Consequence, i, "consequence", i);
     }
   }
 
@@ -286,11 +291,12 @@ class ScriptWriter {
 
   void write_claim(const ScriptClaim& claim) {
     const bool condition = claim.kind == ScriptClaim::Kind::Condition;
-    if (last() && condition) return;
+    const bool consequence = claim.kind == ScriptClaim::Kind::Consequence;
+    if (last() && (condition || consequence)) return;
     const std::string symbol = claim.symbol + suffix();
     define(symbol, "Bool", claim_text(claim));
     // Assumed in the states 0 .. k and the scans 0 .. k - 1.
-    if (frame_ < invariant_.k + (condition ? 0U : 1U)) {
+    if (!consequence && frame_ < invariant_.k + (condition ? 0U : 1U)) {
       require(call("=>", "hypothesis", symbol));
     }
   }
@@ -301,6 +307,8 @@ class ScriptWriter {
         return lemma_text(invariant_.lemmas[claim.index]);
       case ScriptClaim::Kind::Condition:
         return text(invariant_.conditions[claim.index]);
+      case ScriptClaim::Kind::Consequence:
+        return text(invariant_.consequences[claim.index]);
       case ScriptClaim::Kind::Range: {
         const VarId var = ts_.states[claim.index].var;
         return in_range(ts_.vars[var], text(ts_.of(var)));
@@ -344,12 +352,13 @@ class ScriptWriter {
 
   // --- queries ---------------------------------------------------------------
 
-  void add_queries(ScriptQuery::Part part, std::uint32_t frame,
-                   bool conditions) {
+  /// Of the claims about states, or those about scans.
+  void add_queries(ScriptQuery::Part part, std::uint32_t frame, bool scans) {
     for (std::uint32_t i = 0; i < script_.claims.size(); ++i) {
       const ScriptClaim& claim = script_.claims[i];
-      const bool condition = claim.kind == ScriptClaim::Kind::Condition;
-      if (condition != conditions) continue;
+      const bool of_scan = claim.kind == ScriptClaim::Kind::Condition ||
+                           claim.kind == ScriptClaim::Kind::Consequence;
+      if (of_scan != scans) continue;
       script_.queries.push_back(
           {part, frame, i, claim.symbol + "@" + std::to_string(frame)});
     }

@@ -11,9 +11,9 @@ namespace rung {
 
 /// What a certificate claims of one scan's end, as a named Bool of the script.
 struct ScriptClaim {
-  enum class Kind : std::uint8_t { Lemma, Condition, Range };
+  enum class Kind : std::uint8_t { Lemma, Condition, Range, Consequence };
   Kind kind = Kind::Lemma;
-  std::uint32_t index = 0;  // of Invariant::lemmas, conditions; of the state
+  std::uint32_t index = 0;  // in a list of the Invariant; of the state
   std::string symbol;       // "lemma3"; "lemma3@1" is its value in frame 1
 };
 

@@ -212,6 +212,47 @@ TEST(Certificate, ARunMayEndWhereNoScanKeepsTheAssumptions) {
   expect_rejected(m.check(wrong), "initiation", "a");
 }
 
+TEST(Certificate, AConsequenceFollowsFromTheLemmas) {
+  Motors m;
+  const ExprId both = m.ts.exprs.negation(m.ts.exprs.conjunction(m.a, m.b));
+  expect_rejected(m.check({.consequences = {both}}), "safety", "consequence");
+  EXPECT_EQ(
+      m.check({.lemmas = {m.exclusive()}, .consequences = {both}}).outcome,
+      CertificateOutcome::Accepted);
+}
+
+TEST(Certificate, AConsequenceIsAboutScansThatAreForbiddenToo) {
+  Motors m;
+  const ExprId quiet = m.ts.exprs.negation(m.start_a);
+  m.ts.constraints = {quiet};
+  EXPECT_EQ(m.check({.conditions = {quiet}}).outcome,
+            CertificateOutcome::Accepted);
+  expect_rejected(m.check({.consequences = {quiet}}), "safety", "consequence");
+}
+
+TEST(Certificate, AConsequenceHoldsInTheFirstScansToo) {
+  // With k = 1 the step speaks of the second scan: a is off in the first only
+  // where nothing was said of it.
+  Motors m;
+  const ExprId running = m.a;
+  expect_rejected(m.check({.k = 1, .consequences = {running}}), "initiation",
+                  "consequence");
+}
+
+TEST(Certificate, AnAssumptionAboutThePastTiesItsInputsToIt) {
+  // The lemma is about what was, the condition about what is.
+  Motors m;
+  ExprArena& e = m.ts.exprs;
+  const std::uint32_t was = m.ts.add_state("was", Type::Bit, 0, 1, 1);
+  m.ts.states[was].next = m.start_a;
+  const ExprId before = m.ts.state_expr(was);
+  m.ts.constraints = {e.implication(before, m.start_a)};
+  const Invariant always{.lemmas = {{holds(before)}},
+                         .conditions = {m.start_a}};
+  const CertificateReport report = m.check(always);
+  EXPECT_EQ(report.outcome, CertificateOutcome::Accepted) << report.what;
+}
+
 TEST(Certificate, AGoalThatItDoesNotStateIsRejected) {
   Motors m;
   CertificateSession session;
