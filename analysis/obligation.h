@@ -15,7 +15,10 @@ using ObligationId = Id<struct ObligationTag>;
 enum class Goal : std::uint8_t {
   Invariant,  // `condition` holds at the end of every scan
   Reach,      // `condition` holds at the end of some scan of some run
+  Recover,    // from every reachable state some run leads to such a scan
 };
+
+std::string_view to_string(Goal goal);
 
 /// One thing to be decided. `latch` lines give several.
 ///
@@ -23,21 +26,15 @@ enum class Goal : std::uint8_t {
 /// response ...) `trigger` is its left side at a scan's end: when it can never
 /// hold, a proof is vacuous.
 struct Obligation {
-  std::string name;       // "NAME", "NAME.holds", "interlock@12"
-  std::string_view kind;  // "always", "never", "interlock", "latch", "reach",
-                          // "after", "for", "only-after", "built-in"
-  std::string text;       // the property line, or what a built-in one says
+  std::string name;  // "NAME", "NAME.holds", "interlock@12"
+  std::string_view
+      kind;          // "always", "never", "interlock", "latch", "reach",
+                     // "recoverable", "after", "for", "only-after", "built-in"
+  std::string text;  // the property line, or what a built-in one says
   SourceRange where;
   Goal goal = Goal::Invariant;
   ExprId condition;
   ExprId trigger;  // no value: nothing can make it vacuous
-  /// Kept from the solver: the verdict is `unknown` with this reason.
-  std::string undecided;
-  /// A proof is a proof, but a violation says nothing and replay() does not
-  /// decide it: `condition` is stronger than the property. The verdict is then
-  /// `unknown` with this reason. (`releasable` by one scan: where no single
-  /// choice of inputs releases, a longer run still may.)
-  std::string only_provable;
   /// How the simulator re-decides it on a trace; see property.h.
   std::uint32_t property = 0;
   std::uint32_t part = 0;

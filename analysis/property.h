@@ -21,9 +21,10 @@ struct Property {
     Interlock,  // formulas pairwise never together; gap_ms off time
     Latch,      // Q set S reset R: formulas 0, 1, 2
     Reach,
-    After,      // formulas[0], then formulas[1] within scans or ms
-    For,        // formulas[0] for ms implies formulas[1]
-    OnlyAfter,  // formulas[0] only after formulas[1]
+    Recoverable,  // some run leads to formulas[0], from every reachable state
+    After,        // formulas[0], then formulas[1] within scans or ms
+    For,          // formulas[0] for ms implies formulas[1]
+    OnlyAfter,    // formulas[0] only after formulas[1]
   };
   // Built-in properties are of the form Reach.
   Form form = Form::Always;
@@ -72,9 +73,12 @@ std::vector<Obligation> make_obligations(const Program& program,
 /// independent reading of the property, over the simulator's scans.
 struct Replay {
   Trace trace;
-  /// Scan (from 1) at whose end an invariant's condition is first false, or a
-  /// reach obligation's condition first true; 0 when never in this run.
+  /// Scan (from 1) at whose end an invariant's condition is first false, or
+  /// that of a reach or recover obligation first true; 0 when never in this
+  /// run.
   std::uint64_t decided_at = 0;
+  /// The last such scan of the run; not defined for an invariant.
+  std::uint64_t last_at = 0;
   bool assumptions_hold = true;  // the assumptions held in every scan
 };
 Replay replay(const Program& program, const PropertySet& properties,
@@ -91,6 +95,7 @@ struct ReplayTarget {
 };
 struct ReplayAll {
   std::vector<std::uint64_t> decided_at;  // by target, as Replay::decided_at
+  std::vector<std::uint64_t> last_at;     // by target, as Replay::last_at
   bool assumptions_hold = true;
 };
 ReplayAll replay_all(const Program& program, const PropertySet& properties,

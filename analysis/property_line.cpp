@@ -109,6 +109,9 @@ class LineParser {
   void read_always(const Slice& rest) { one(Property::Form::Always, rest); }
   void read_never(const Slice& rest) { one(Property::Form::Never, rest); }
   void read_reach(const Slice& rest) { one(Property::Form::Reach, rest); }
+  void read_recoverable(const Slice& rest) {
+    one(Property::Form::Recoverable, rest);
+  }
   void read_interlock(const Slice& rest);
   void read_latch(const Slice& rest);
   void read_after(const Slice& rest);
@@ -159,7 +162,7 @@ const std::array<LineParser::Keyword, 18> LineParser::kKeywords = {{
     {"output", &LineParser::read_output},
     {"pattern", &LineParser::read_pattern},
     {"reach", &LineParser::read_reach},
-    {"recoverable", &LineParser::not_yet},
+    {"recoverable", &LineParser::read_recoverable},
     {"scan", &LineParser::read_scan},
     {"settles", &LineParser::not_yet},
 }};
@@ -187,7 +190,7 @@ struct Pattern {
   std::string_view first;
   std::string_view second;
 };
-constexpr std::array<Pattern, 10> kPatterns = {{
+constexpr std::array<Pattern, 11> kPatterns = {{
     {"pattern-implication", Property::Form::Always, 2, "(%1) -> (%2)", {}},
     {"pattern-invariant", Property::Form::Always, 1, "%1", {}},
     {"pattern-forbidden", Property::Form::Never, 1, "%1", {}},
@@ -202,6 +205,7 @@ constexpr std::array<Pattern, 10> kPatterns = {{
      "prev(%1) && (%2) -> (%3)",
      {}},
     {"pattern-reachability", Property::Form::Reach, 1, "%1", {}},
+    {"pattern-repeatability", Property::Form::Recoverable, 1, "%1", {}},
     {"pattern-leadsto", Property::Form::OnlyAfter, 2, "%1", "%2"},
     {"pattern-leadsto-trigger", Property::Form::OnlyAfter, 3, "%1",
      "prev(%2) && (%3)"},
@@ -346,10 +350,6 @@ void LineParser::read_pattern(const Slice& rest) {
     return fail(rest, "a pattern is written `pattern-invariant(A)`");
   }
   const Slice id = rest.part(0, end);
-  if (id.text == "pattern-repeatability") {
-    word_ = id;
-    return not_yet(rest);
-  }
   const auto* const pattern =
       std::find_if(kPatterns.begin(), kPatterns.end(),
                    [&](const Pattern& row) { return row.id == id.text; });
@@ -541,6 +541,8 @@ std::string_view to_string(Property::Form form) {
       return "latch";
     case Property::Form::Reach:
       return "reach";
+    case Property::Form::Recoverable:
+      return "recoverable";
     case Property::Form::After:
       return "after";
     case Property::Form::For:

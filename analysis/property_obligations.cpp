@@ -4,7 +4,6 @@
 
 #include "analysis/property.h"
 #include "analysis/property_line.h"
-#include "analysis/property_release.h"
 #include "analysis/property_terms.h"
 
 namespace rung {
@@ -63,6 +62,9 @@ class ObligationMaker {
         return;
       case Property::Form::Reach:
         add(Goal::Reach, formula(0));
+        return;
+      case Property::Form::Recoverable:
+        add(Goal::Recover, formula(0));
         return;
       case Property::Form::Interlock:
         return interlock();
@@ -136,7 +138,8 @@ class ObligationMaker {
     latch_implication(
         1, dominant_set ? set : exprs().conjunction(set, no_reset), q);
     latch_implication(2, exprs().conjunction(before, no_reset), q);
-    releasable(q);
+    // Where it is off, it is released.
+    latch_part(3, Goal::Recover, exprs().negation(q), q);
     latch_implication(4,
                       dominant_set ? exprs().conjunction(reset, no_set) : reset,
                       exprs().negation(q));
@@ -152,23 +155,6 @@ class ObligationMaker {
   }
   void latch_implication(std::uint32_t part, ExprId left, ExprId right) {
     latch_part(part, Goal::Invariant, exprs().implication(left, right), left);
-  }
-
-  void releasable(ExprId q) {
-    const auto condition = release_condition(terms_, property().formulas[0],
-                                             property().formulas[2]);
-    Obligation& obligation =
-        latch_part(3, Goal::Invariant, condition.value_or(exprs().bit(true)),
-                   condition ? q : ExprId());
-    if (condition) {
-      obligation.only_provable =
-          "one scan does not release it from every state, and longer runs are "
-          "not searched in this version";
-    } else {
-      obligation.undecided =
-          "no fixed input of one scan that the assumptions allow resets it, "
-          "and longer runs are not searched in this version";
-    }
   }
 
   /// after P, Q within N scans: `age` counts from the oldest P without answer,

@@ -70,6 +70,7 @@ class PropertyWatch {
         return holds(0);
       case Property::Form::Never:
       case Property::Form::Reach:
+      case Property::Form::Recoverable:
       case Property::Form::Interlock:
         break;
     }
@@ -100,6 +101,7 @@ class PropertyWatch {
         break;
       case Property::Form::Never:
       case Property::Form::Reach:
+      case Property::Form::Recoverable:
         decided_ = holds(0);
         break;
       case Property::Form::Interlock:
@@ -208,7 +210,7 @@ class PropertyWatch {
       case Holds:
         return before && !reset && !q;
       case Releasable:
-        return false;  // about runs that branch off: one run cannot refute it
+        return !q;
       case Resets:
         return resets && q;
       case NoSpuriousStart:
@@ -268,6 +270,7 @@ class Replayer {
       assumptions_.emplace_back(program, names, text);
     }
     result_.decided_at.resize(targets.size(), 0);
+    result_.last_at.resize(targets.size(), 0);
     for (PropertyWatch& watch : watches_) watch.start(simulator_);
     for (FormulaWatch& watch : assumptions_) watch.start(simulator_);
   }
@@ -298,8 +301,10 @@ class Replayer {
       if (!watch.holds()) result_.assumptions_hold = false;
     }
     for (std::size_t i = 0; i < targets_.size(); ++i) {
+      if (!is_met(i)) continue;
       std::uint64_t& at = result_.decided_at[i];
-      if (at == 0 && is_met(i)) at = simulator_.scans();
+      if (at == 0) at = simulator_.scans();
+      result_.last_at[i] = simulator_.scans();
     }
   }
 
@@ -322,6 +327,9 @@ class Replayer {
     simulator_.skip(count, dt_ms);
     for (PropertyWatch& watch : watches_) watch.skip(simulator_, count);
     for (FormulaWatch& watch : assumptions_) watch.skip(count);
+    for (std::size_t i = 0; i < targets_.size(); ++i) {
+      if (is_met(i)) result_.last_at[i] = simulator_.scans();
+    }
     return count;
   }
 
@@ -353,6 +361,7 @@ Replay replay(const Program& program, const PropertySet& properties,
   }
   const ReplayAll all = replayer.take();
   result.decided_at = all.decided_at.front();
+  result.last_at = all.last_at.front();
   result.assumptions_hold = all.assumptions_hold;
   return result;
 }

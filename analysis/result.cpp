@@ -18,4 +18,16 @@ std::string_view to_string(Verdict verdict) {
   return {};
 }
 
+std::string_view to_string(Goal goal) {
+  switch (goal) {
+    case Goal::Invariant:
+      return "invariant";
+    case Goal::Reach:
+      return "reach";
+    case Goal::Recover:
+      return "recover";
+  }
+  return {};
+}
+
 }  // namespace rung

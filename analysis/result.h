@@ -15,7 +15,8 @@ enum class Verdict : std::uint8_t {
   Proved,    // every reachable state; the certificate was re-checked.
              // Of a reach obligation: a witness was found and replayed.
   Violated,  // a trace was replayed. Of a reach obligation: the condition was
-             // proved unreachable, the certificate re-checked.
+             // proved unreachable, the certificate re-checked. Of a recover
+             // obligation: both, for the runs that start where the trace ends.
   Bounded,   // no violation within `scans` scans; no proof
   Vacuous,   // it holds only because its trigger or the assumptions never can
   Unknown,   // `reason` says why
@@ -32,6 +33,9 @@ struct Certificate {
   /// They had accepted the same script, word for word, for an equal part of
   /// the program, and were not asked again.
   bool reused = false;
+  /// Of `recoverable`: in which states which inputs lead to the goal, or to a
+  /// state of a line above: "Q0 && T(0).elapsed >= 4900: I1 = 1".
+  std::vector<std::string> ways;
 };
 
 struct ObligationResult {

@@ -37,7 +37,7 @@ constexpr std::array kLatchParts = {
               "scan's end"},
     LatchPart{"holds", "`{0}` was on and falls although `{2}` is false"},
     LatchPart{"releasable",
-              "from some reachable state with `{0}` on, no input releases it"},
+              "nothing releases `{0}` any more, whatever the inputs"},
     LatchPart{"resets", "`{2}` is true, yet `{0}` is true at the scan's end"},
     LatchPart{"no-spurious-start", "`{0}` rises in a scan without `{1}`"},
 };
@@ -70,6 +70,10 @@ std::string broken_clause(const Property& property,
         return fmt::format(fmt::runtime(part.broken), f[0], f[1], f[2]);
       }
       return "";
+    case Property::Form::Recoverable:
+      if (f.empty()) return "";
+      return fmt::format("nothing leads to `{}` any more, whatever the inputs",
+                         f[0]);
     case Property::Form::After:
       if (f.size() < 2) return "";
       return fmt::format("`{}` came, and `{}` did not follow in time", f[0],
@@ -92,6 +96,19 @@ const Property* property_of(const FileReport& file,
                             const Obligation& obligation) {
   const auto& all = file.properties.properties;
   return obligation.property < all.size() ? &all[obligation.property] : nullptr;
+}
+
+std::string proof_phrase(const ObligationResult& result) {
+  switch (result.obligation.goal) {
+    case Goal::Reach:
+      return fmt::format("a run gets there in {}",
+                         quantity(result.scans, "scan"));
+    case Goal::Recover:
+      return "a run leads there from every reachable state";
+    case Goal::Invariant:
+      break;
+  }
+  return "it holds in every reachable state";
 }
 
 std::string explain_violation(const FileReport& file,
@@ -155,10 +172,7 @@ std::string explain(const FileReport& file, const ObligationResult& result,
     case Verdict::Violated:
       return explain_violation(file, result, cones);
     case Verdict::Proved:
-      return result.obligation.goal == Goal::Reach
-                 ? fmt::format("a run gets there in {}",
-                               quantity(result.scans, "scan"))
-                 : "it holds in every reachable state";
+      return proof_phrase(result);
     case Verdict::Bounded:
     case Verdict::Vacuous:
     case Verdict::Unknown:

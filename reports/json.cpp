@@ -75,21 +75,20 @@ class JsonWriter {
   Json property(const FileReport& file, const ObligationResult& result,
                 const Cones* cones) {
     const Obligation& obligation = result.obligation;
-    Json json = {
-        {"name", obligation.name},
-        {"kind", obligation.kind},
-        {"text", obligation.text},
-        {"file", path_of(file, obligation.where)},
-        {"line", nullptr},
-        {"verdict", to_string(result.verdict)},
-        {"engine", result.engine},
-        {"scans", result.scans},
-        {"milliseconds", rounded_ms(result.milliseconds)},
-        {"reason", nullptr},
-        {"certificate", nullptr},
-        {"trace", nullptr},
-        {"goal", obligation.goal == Goal::Reach ? "reach" : "invariant"},
-        {"built_in", obligation.built_in}};
+    Json json = {{"name", obligation.name},
+                 {"kind", obligation.kind},
+                 {"text", obligation.text},
+                 {"file", path_of(file, obligation.where)},
+                 {"line", nullptr},
+                 {"verdict", to_string(result.verdict)},
+                 {"engine", result.engine},
+                 {"scans", result.scans},
+                 {"milliseconds", rounded_ms(result.milliseconds)},
+                 {"reason", nullptr},
+                 {"certificate", nullptr},
+                 {"trace", nullptr},
+                 {"goal", to_string(obligation.goal)},
+                 {"built_in", obligation.built_in}};
     if (obligation.where.has_value()) {
       json["line"] = locator_.of(obligation.where).begin.line;
     }

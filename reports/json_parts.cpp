@@ -42,6 +42,7 @@ Json json_of(const Certificate& certificate) {
   Json json = {{"lemmas", certificate.lemmas},
                {"checked_by", certificate.checked_by},
                {"smtlib", nullptr}};
+  if (!certificate.ways.empty()) json["ways"] = certificate.ways;
   if (certificate.reused) json["reused"] = true;
   if (!certificate.smtlib_path.empty()) {
     json["smtlib"] = certificate.smtlib_path;

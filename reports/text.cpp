@@ -165,6 +165,13 @@ class TextWriter {
     write_trace(file, result);
   }
 
+  /// A way back is refuted by what holds ever after.
+  static std::string_view label_of(const ObligationResult& result) {
+    const bool trap = result.obligation.goal == Goal::Recover &&
+                      result.verdict == Verdict::Violated;
+    return trap ? "\n    from there on: " : "\n    invariant: ";
+  }
+
   void write_evidence(const ObligationResult& result) {
     out_ += result.verdict == Verdict::Proved ? "\n    by " : "    by ";
     out_ += fmt::format("{}, {:.1f} ms", result.engine, result.milliseconds);
@@ -174,7 +181,11 @@ class TextWriter {
         out_ += ", checked by " + checker;
       }
       for (const std::string& lemma : result.certificate->lemmas) {
-        out_ += "\n    invariant: " + printable(lemma);
+        out_ += label_of(result);
+        out_ += printable(lemma);
+      }
+      for (const std::string& way : result.certificate->ways) {
+        out_ += "\n    way: " + printable(way);
       }
       if (!result.certificate->smtlib_path.empty()) {
         out_ +=

@@ -4,13 +4,35 @@
 
 namespace rung {
 
+namespace {
+
+/// `bits` of the cone's states, with their values in `state`.
+std::vector<StateBit> starting_in(const Cone& cone, std::vector<StateBit> bits,
+                                  const std::vector<std::int64_t>* state) {
+  if (state == nullptr) return bits;
+  std::size_t at = 0;
+  for (const std::uint32_t index : cone.states()) {
+    const Word& leaves = cone.leaves(cone.ts().states[index].var);
+    for (std::size_t i = 0; i < leaves.size(); ++i) {
+      if (leaves[i] <= kAigTrue) continue;  // a known sign: see append_bits()
+      const auto shift = std::min<std::size_t>(i, 63);
+      bits[at++].init = (((*state)[index] >> shift) & 1) != 0;
+    }
+  }
+  return bits;
+}
+
+}  // namespace
+
 BoundedSearch::BoundedSearch(Cone& cone, const JumpCircuit* jump, AigLit never,
-                             const Deadline& deadline)
+                             const Deadline& deadline,
+                             const std::vector<std::int64_t>* from)
     : cone_(&cone),
       jump_(jump != nullptr && jump->useful() ? jump : nullptr),
       never_(never),
       frames_(cone.circuit().aig(),
-              jump_ != nullptr ? jump_->bits() : cone.bits(),
+              starting_in(cone, jump_ != nullptr ? jump_->bits() : cone.bits(),
+                          from),
               Unrolling::Start::Initial),
       sat_(&deadline),
       clauses_(frames_.aig(), sat_) {}

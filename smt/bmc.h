@@ -18,8 +18,10 @@ class BoundedSearch {
  public:
   /// Runs of which `never` holds in some step are not considered: there the
   /// encoding is not the program.
+  /// They start at power-up, or in the state `from`, by state index.
   BoundedSearch(Cone& cone, const JumpCircuit* jump, AigLit never,
-                const Deadline& deadline);
+                const Deadline& deadline,
+                const std::vector<std::int64_t>* from = nullptr);
 
   /// Searches for a run of exactly `depth` steps (from 1) at whose end a target
   /// holds, over the cone's step graph.

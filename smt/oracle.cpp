@@ -112,30 +112,6 @@ std::vector<Part> parts_of(const TransitionSystem& ts,
   return parts;
 }
 
-/// Executes the terms on a stimulus; did the constraints hold in every scan?
-bool run_terms(const TransitionSystem& ts, const Stimulus& stimulus,
-               Interpreter& terms) {
-  std::unordered_map<CellId, VarId> inputs;
-  for (const VarId id : ids_of(ts.vars)) {
-    const Variable& variable = ts.vars[id];
-    if (variable.role == VarRole::Input) inputs.emplace(variable.cell, id);
-  }
-  bool allowed = true;
-  for (const StimulusStep& step : stimulus.steps) {
-    terms.set_input(ts.dt, step.dt_ms);
-    for (std::size_t i = 0; i < stimulus.inputs.size(); ++i) {
-      terms.set_input(inputs.at(stimulus.inputs[i]), step.inputs[i]);
-    }
-    for (std::uint64_t i = 0; i < step.repeat; ++i) {
-      terms.scan();
-      for (const ExprId constraint : ts.constraints) {
-        allowed = allowed && terms.value(constraint) != 0;
-      }
-    }
-  }
-  return allowed;
-}
-
 }  // namespace
 
 SolverOracle::SolverOracle(const Program& program, TransitionSystem& ts,

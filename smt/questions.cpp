@@ -34,10 +34,15 @@ class Asker {
   std::unordered_map<ExprId, std::size_t> asked_;
 };
 
+std::size_t ask_trigger(Asker& asker, const Obligation& obligation) {
+  if (!obligation.trigger.has_value()) return Questions::kNone;
+  return asker.ask(obligation.trigger, Target::Purpose::Trigger, true);
+}
+
 }  // namespace
 
 bool shows_run(const Obligation& obligation) {
-  return obligation.goal == Goal::Invariant || obligation.kind == "reach";
+  return obligation.goal != Goal::Reach || obligation.kind == "reach";
 }
 
 Questions make_questions(const Program& program, const PropertySet& properties,
@@ -54,16 +59,15 @@ Questions make_questions(const Program& program, const PropertySet& properties,
   for (const Obligation& obligation : questions.obligations) {
     std::size_t goal = Questions::kNone;
     std::size_t trigger = Questions::kNone;
-    const bool asked = obligation.undecided.empty();
-    if (asked && obligation.goal == Goal::Reach) {
+    if (obligation.goal == Goal::Reach) {
       goal = asker.ask(obligation.condition, Target::Purpose::Witness,
                        !shows_run(obligation));
-    } else if (asked) {
+    } else if (obligation.goal == Goal::Recover) {
+      trigger = ask_trigger(asker, obligation);
+    } else {
       goal = asker.ask(ts.exprs.negation(obligation.condition),
                        Target::Purpose::Violation, false);
-      if (obligation.trigger.has_value()) {
-        trigger = asker.ask(obligation.trigger, Target::Purpose::Trigger, true);
-      }
+      trigger = ask_trigger(asker, obligation);
     }
     questions.goal.push_back(goal);
     questions.trigger.push_back(trigger);

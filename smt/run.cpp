@@ -78,6 +78,17 @@ Stimulus to_stimulus(const TransitionSystem& ts, const FoundRun& run) {
   return stimulus;
 }
 
+std::uint64_t scans_of(const Stimulus& stimulus) {
+  std::uint64_t scans = 0;
+  for (const StimulusStep& step : stimulus.steps) scans += step.repeat;
+  return scans;
+}
+
+void drop_last_scan(Stimulus& stimulus) {
+  if (stimulus.steps.empty()) return;
+  if (--stimulus.steps.back().repeat == 0) stimulus.steps.pop_back();
+}
+
 namespace {
 
 /// Executes the terms of a run, scan by scan.
@@ -159,6 +170,29 @@ std::uint32_t first_hit(const Cone& cone, const Run& run, ExprId target,
     execution.stretch(run[i]);
   }
   return 0;
+}
+
+bool run_terms(const TransitionSystem& ts, const Stimulus& stimulus,
+               Interpreter& terms) {
+  std::unordered_map<CellId, VarId> inputs;
+  for (const VarId id : ids_of(ts.vars)) {
+    const Variable& variable = ts.vars[id];
+    if (variable.role == VarRole::Input) inputs.emplace(variable.cell, id);
+  }
+  bool allowed = true;
+  for (const StimulusStep& step : stimulus.steps) {
+    terms.set_input(ts.dt, step.dt_ms);
+    for (std::size_t i = 0; i < stimulus.inputs.size(); ++i) {
+      terms.set_input(inputs.at(stimulus.inputs[i]), step.inputs[i]);
+    }
+    for (std::uint64_t i = 0; i < step.repeat; ++i) {
+      terms.scan();
+      for (const ExprId constraint : ts.constraints) {
+        allowed = allowed && terms.value(constraint) != 0;
+      }
+    }
+  }
+  return allowed;
 }
 
 }  // namespace rung

@@ -9,6 +9,8 @@
 
 namespace rung {
 
+class Interpreter;
+
 /// One scan of a found run and the stretch behind it: see JumpCircuit.
 struct RunStep {
   std::vector<std::int64_t> inputs;  // in the order of Cone::inputs()
@@ -29,6 +31,9 @@ std::uint64_t scan_count(const Run& run, const ScanInterval& scan);
 /// can, of at most two lengths. Inputs that the run does not name rest at 0.
 Stimulus to_stimulus(const TransitionSystem& ts, const FoundRun& run);
 
+std::uint64_t scans_of(const Stimulus& stimulus);
+void drop_last_scan(Stimulus& stimulus);
+
 /// How stretches are executed.
 enum class Stretches : std::uint8_t {
   ScanByScan,
@@ -45,5 +50,9 @@ bool reaches(const Cone& cone, const Run& run, ExprId target,
 std::uint32_t first_hit(const Cone& cone, const Run& run, ExprId target,
                         const std::vector<ExprId>& never,
                         Stretches stretches = Stretches::ScanByScan);
+
+/// Executes `terms` on a stimulus; did the constraints hold in every scan?
+bool run_terms(const TransitionSystem& ts, const Stimulus& stimulus,
+               Interpreter& terms);
 
 }  // namespace rung

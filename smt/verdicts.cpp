@@ -1,10 +1,9 @@
 #include "smt/verdicts.h"
 
 #include <algorithm>
-#include <unordered_set>
 
 #include "analysis/simulator.h"
-#include "smt/bit_blast.h"
+#include "smt/faults.h"
 
 namespace rung {
 namespace {
@@ -17,18 +16,6 @@ constexpr std::uint64_t kMostRungs = 30'000'000;
 /// Test only: an invariant that no state meets; its initiation must fail.
 void corrupt(Invariant& invariant) { invariant.lemmas.emplace_back(); }
 
-/// Test only: the run without its last scan.
-void corrupt(Stimulus& stimulus) {
-  if (stimulus.steps.empty()) return;
-  if (--stimulus.steps.back().repeat == 0) stimulus.steps.pop_back();
-}
-
-std::uint64_t scans_of(const Stimulus& stimulus) {
-  std::uint64_t scans = 0;
-  for (const StimulusStep& step : stimulus.steps) scans += step.repeat;
-  return scans;
-}
-
 /// The first `scans` scans of a run.
 void cut(Stimulus& stimulus, std::uint64_t scans) {
   std::size_t kept = 0;
@@ -38,43 +25,6 @@ void cut(Stimulus& stimulus, std::uint64_t scans) {
     scans -= step.repeat;
   }
   stimulus.steps.resize(kept);
-}
-
-/// The variables and comparisons that `root` depends on through any number of
-/// scans.
-std::unordered_set<ExprId> dependencies(const TransitionSystem& ts,
-                                        ExprId root) {
-  std::unordered_set<ExprId> seen;
-  std::vector<ExprId> stack = {root};
-  while (!stack.empty()) {
-    const ExprId id = stack.back();
-    stack.pop_back();
-    if (!seen.insert(id).second) continue;
-    const Expr& e = ts.exprs[id];
-    const Operands under = operands(e);
-    stack.insert(stack.end(), under.ids, under.ids + under.count);
-    if (e.op == ExprOp::Variable && ts.vars[e.var].role == VarRole::State) {
-      stack.push_back(ts.states[ts.vars[e.var].state].next);
-    }
-  }
-  return seen;
-}
-
-/// The comparisons at the top of a fault's condition: its value is clamped by
-/// the same ones, so they are in the cone of all that reads it.
-std::vector<ExprId> comparisons(const TransitionSystem& ts, ExprId condition) {
-  std::vector<ExprId> found;
-  std::vector<ExprId> stack = {condition};
-  while (!stack.empty()) {
-    const ExprId id = stack.back();
-    stack.pop_back();
-    const Expr& e = ts.exprs[id];
-    if (e.op == ExprOp::Less) found.push_back(id);
-    if (e.op != ExprOp::And && e.op != ExprOp::Not) continue;
-    const Operands under = operands(e);
-    stack.insert(stack.end(), under.ids, under.ids + under.count);
-  }
-  return found;
 }
 
 }  // namespace
@@ -189,11 +139,17 @@ VerifyReport Verdicts::no_run_at_all() {
 
 ObligationResult Verdicts::conclude(std::size_t i) {
   ObligationResult result;
-  result.obligation = questions_.obligations[i];
-  if (questions_.goal[i] == Questions::kNone) {
-    result.reason = result.obligation.undecided;
+  const auto found = answered_.find(i);
+  if (found != answered_.end()) {
+    result = found->second.result;
+    if (!found->second.failure.empty()) fail(result, found->second.failure);
+    const bool may_be_vacuous = questions_.trigger[i] != Questions::kNone;
+    if (result.verdict == Verdict::Proved && may_be_vacuous) {
+      judge_vacuity(i, result);
+    }
     return result;
   }
+  result.obligation = questions_.obligations[i];
   const Target& target = questions_.targets[questions_.goal[i]];
   const Group& group = groups_[group_of_[questions_.goal[i]]];
   result.engine = target.engine;
@@ -232,10 +188,6 @@ void Verdicts::fail(ObligationResult& result, const std::string& what) {
 void Verdicts::conclude_reached(const Target& target,
                                 ObligationResult& result) {
   const bool witness = result.obligation.goal == Goal::Reach;
-  if (!witness && !result.obligation.only_provable.empty()) {
-    result.reason = result.obligation.only_provable;
-    return;
-  }
   result.verdict = witness ? Verdict::Proved : Verdict::Violated;
   replay_into(target, result);
 }
@@ -243,7 +195,7 @@ void Verdicts::conclude_reached(const Target& target,
 void Verdicts::replay_into(const Target& target, ObligationResult& result) {
   Stimulus stimulus = to_stimulus(ts_, target.run);
   result.scans = scans_of(stimulus);
-  if (options_.inject_wrong_trace) corrupt(stimulus);
+  if (options_.inject_wrong_trace) drop_last_scan(stimulus);
   const Obligation& obligation = result.obligation;
   const bool keeps_trace = shows_run(obligation);
   if (!options_.self_check) {
@@ -288,16 +240,9 @@ std::string Verdicts::wider_than_program(const Target& target) const {
 }
 
 std::string Verdicts::open_fault(const Target& target) const {
-  std::unordered_set<ExprId> seen;
-  for (std::size_t i = 0; i < ts_.faults.size(); ++i) {
-    if (is_shown(questions_.fault[i])) continue;
-    if (seen.empty()) seen = dependencies(ts_, target.term);
-    for (ExprId comparison : comparisons(ts_, ts_.faults[i].condition)) {
-      if (seen.count(comparison) == 0) continue;
-      const CellId cell = ts_.faults[i].cell;
-      return cell.has_value()
-                 ? "`" + program_.cells[cell].name + "` may leave its range"
-                 : "a number may leave the range in which it is exact";
+  for (const std::size_t fault : faults_under(ts_, target.term)) {
+    if (!is_shown(questions_.fault[fault])) {
+      return may_leave_range(program_, ts_.faults[fault]);
     }
   }
   return {};
@@ -364,9 +309,7 @@ void Verdicts::conclude_open(const Target& target, ObligationResult& result) {
   result.engine = "bmc";
   result.scans = target.bound;
   const Obligation& obligation = result.obligation;
-  if (!obligation.only_provable.empty()) {
-    result.reason = obligation.only_provable;
-  } else if (obligation.goal == Goal::Invariant && target.bound > 0) {
+  if (obligation.goal == Goal::Invariant && target.bound > 0) {
     result.verdict = Verdict::Bounded;
     result.reason = open_fault(target);
     if (!result.reason.empty()) result.verdict = Verdict::Unknown;

@@ -2,8 +2,10 @@
 
 #include <cstdint>
 #include <functional>
+#include <map>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "analysis/property.h"
@@ -42,6 +44,12 @@ struct Claim {
   bool trigger = false;
 };
 
+/// A result that was checked already.
+struct CheckedAnswer {
+  ObligationResult result;
+  std::string failure;  // of the check; empty: none
+};
+
 /// Turns what engines found into verdicts, after checking it: traces by
 /// replay, proofs by the certificate's check. What fails its check is reported
 /// as a failure and never as a verdict.
@@ -66,6 +74,11 @@ class Verdicts {
   /// ones. `overflow`: their terms have no exact encoding.
   void decided(const std::vector<std::size_t>& group,
                const Invariant& invariant, bool overflow, double milliseconds);
+
+  /// An obligation that no target stands for is decided, and checked.
+  void answered(std::size_t obligation, CheckedAnswer answer) {
+    answered_.emplace(obligation, std::move(answer));
+  }
 
   /// Every obligation, in order.
   VerifyReport report();
@@ -99,7 +112,8 @@ class Verdicts {
   const VerifyOptions& options_;
   Proofs proofs_;
   std::vector<Group> groups_;
-  std::vector<std::size_t> group_of_;     // by target
+  std::map<std::size_t, CheckedAnswer> answered_;  // by obligation
+  std::vector<std::size_t> group_of_;              // by target
   std::vector<std::uint64_t> confirmed_;  // by obligation: scans of the run
   std::vector<bool> replayed_;            // by target: a replayed run meets it
   std::vector<SelfCheckFailure> failures_;

@@ -12,6 +12,7 @@
 #include "smt/merged_run.h"
 #include "smt/partition.h"
 #include "smt/portfolio.h"
+#include "smt/recovery_answers.h"
 #include "smt/verdicts.h"
 
 namespace rung {
@@ -39,7 +40,9 @@ class Verifier {
  public:
   Verifier(const Program& program, const PropertySet& properties,
            const VerifyOptions& options)
-      : options_(options),
+      : program_(program),
+        properties_(properties),
+        options_(options),
         deadline_(options.budget.seconds),
         ts_(build_transition_system(program)),
         questions_(make_questions(program, properties, options.wanted, ts_)),
@@ -65,6 +68,7 @@ class Verifier {
       if (options_.progress) progress(i, parts_.size());
       decide(i);
     }
+    recover_all();
     if (options_.self_check) replay_found();
     return verdicts_.report();
   }
@@ -267,6 +271,17 @@ class Verifier {
     return true;
   }
 
+  void recover_all() {
+    RecoveryAnswers answers(program_, properties_, ts_, options_);
+    for (std::size_t i = 0; i < questions_.obligations.size(); ++i) {
+      const Obligation& obligation = questions_.obligations[i];
+      if (obligation.goal != Goal::Recover) continue;
+      if (options_.progress) options_.progress("proving: " + obligation.name);
+      verdicts_.answered(
+          i, answers.decide(obligation, growth_, portfolio_options()));
+    }
+  }
+
   struct Bundle {  // of runs that are replayed as one
     MergedRun run;
     std::vector<Claim> claims;
@@ -308,6 +323,8 @@ class Verifier {
 
   static constexpr int kConfirmingRuns = 16;  // that serve many
 
+  const Program& program_;
+  const PropertySet& properties_;
   const VerifyOptions& options_;
   Deadline deadline_;
   TransitionSystem ts_;

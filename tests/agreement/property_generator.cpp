@@ -20,7 +20,7 @@ class PropertyGenerator {
   }
 
   std::string property() {
-    switch (tape_.pick(9)) {
+    switch (tape_.pick(10)) {
       case 0:
         return "never " + expression();
       case 1:
@@ -43,10 +43,14 @@ class PropertyGenerator {
       case 7:
         return expression() + " for " + milliseconds() + " implies " +
                expression();
+      case 8:
+        return recoverable();
       default:
         return expression() + " only after " + expression();
     }
   }
+
+  std::string recoverable() { return "recoverable " + expression(); }
 
   std::string assumption() {
     if (inputs_.empty()) return {};
@@ -149,6 +153,11 @@ class PropertyGenerator {
 std::string generate_property(const Program& program, Tape& tape,
                               PropertyTimes times) {
   return "//@ " + PropertyGenerator(program, tape, times).property() + "\n";
+}
+
+std::string generate_recoverable(const Program& program, Tape& tape) {
+  PropertyGenerator generator(program, tape, PropertyTimes::Short);
+  return "//@ " + generator.recoverable() + "\n";
 }
 
 std::string generate_assumption(const Program& program, Tape& tape) {

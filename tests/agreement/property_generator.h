@@ -16,6 +16,9 @@ enum class PropertyTimes : std::uint8_t { Short, Long };  // to 30, to 200 ms
 std::string generate_property(const Program& program, Tape& tape,
                               PropertyTimes times);
 
+/// The same, a `recoverable` line.
+std::string generate_recoverable(const Program& program, Tape& tape);
+
 /// An `//@ assume` line over its bit inputs; empty when it has none.
 std::string generate_assumption(const Program& program, Tape& tape);
 

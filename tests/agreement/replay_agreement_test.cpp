@@ -36,6 +36,7 @@ ReplayAll interpret(const TransitionSystem& ts,
                     const Stimulus& stimulus, bool& has_fault) {
   ReplayAll result;
   result.decided_at.resize(obligations.size(), 0);
+  result.last_at.resize(obligations.size(), 0);
   TsInterpreter interpreter(ts);
   std::uint64_t scan = 0;
   for (const StimulusStep& step : stimulus.steps) {
@@ -49,8 +50,10 @@ ReplayAll interpret(const TransitionSystem& ts,
       }
       for (std::size_t k = 0; k < obligations.size(); ++k) {
         const bool holds = interpreter.value(obligations[k].condition) != 0;
-        const bool decides = holds == (obligations[k].goal == Goal::Reach);
-        if (decides && result.decided_at[k] == 0) result.decided_at[k] = scan;
+        const bool decides = holds != (obligations[k].goal == Goal::Invariant);
+        if (!decides) continue;
+        if (result.decided_at[k] == 0) result.decided_at[k] = scan;
+        result.last_at[k] = scan;
       }
     }
   }
@@ -80,9 +83,6 @@ Outcome check(const std::vector<std::uint32_t>& numbers) {
   TransitionSystem ts = build_transition_system(read->program);
   std::vector<Obligation> obligations =
       make_obligations(read->program, read->properties, ts);
-  std::erase_if(obligations, [](const Obligation& obligation) {
-    return !obligation.undecided.empty() || !obligation.only_provable.empty();
-  });
   std::vector<ReplayTarget> targets;
   targets.reserve(obligations.size());
   const std::size_t count = obligations.size();
@@ -108,6 +108,11 @@ Outcome check(const std::vector<std::uint32_t>& numbers) {
   for (std::size_t k = 0; k < obligations.size(); ++k) {
     ++outcome.obligations;
     if (expected.decided_at[k] != 0) ++outcome.decided;
+    // What comes after a violation is not defined.
+    const bool to_be_met = obligations[k].goal != Goal::Invariant;
+    if (to_be_met && replayed.last_at[k] != expected.last_at[k]) {
+      outcome.difference = "the last scan of `" + obligations[k].text + "`";
+    }
     if (replayed.decided_at[k] == expected.decided_at[k]) continue;
     outcome.difference =
         "`" + obligations[k].text + "` (" + obligations[k].name +

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cassert>
 #include <string>
-#include <unordered_set>
+#include <unordered_map>
 #include <utility>
 
 #include "ts_interpreter.h"
@@ -18,6 +18,7 @@ class Search {
   Search(const TransitionSystem& ts, const std::vector<Obligation>& obligations)
       : ts_(ts), obligations_(obligations), interpreter_(ts) {
     result_.decided_at.resize(obligations.size(), 0);
+    assert(obligations.size() <= 64);
     for (const Obligation& obligation : obligations) {
       result_.triggered.push_back(!obligation.trigger.has_value());
     }
@@ -33,7 +34,7 @@ class Search {
   StateSearch run(std::size_t max_states) {
     StateValues initial;
     for (const State& state : ts_.states) initial.push_back(state.init);
-    add(initial);
+    place(initial);
     std::uint64_t scan = 0;
     while (!next_.empty()) {
       if (seen_.size() > max_states) return result_;
@@ -42,14 +43,48 @@ class Search {
       for (const StateValues& state : frontier) visit(state, scan);
     }
     result_.complete = true;
+    for (std::size_t i = 0; i < obligations_.size(); ++i) {
+      if (obligations_[i].goal == Goal::Recover) find_stuck(i);
+    }
     return result_;
   }
 
  private:
-  void add(const StateValues& state) {
+  struct Edge {  // a scan
+    std::uint32_t from = 0;
+    std::uint32_t to = 0;
+    std::uint64_t number = 0;  // of scans to its end, at least
+    std::uint64_t goals = 0;   // by obligation: it ends with the condition
+  };
+
+  /// The state's number; a new one is visited later.
+  std::uint32_t place(const StateValues& state) {
     const auto* const bytes = reinterpret_cast<const char*>(state.data());
-    if (seen_.emplace(bytes, state.size() * sizeof(state[0])).second) {
-      next_.push_back(state);
+    const auto [entry, is_new] =
+        seen_.emplace(std::string(bytes, state.size() * sizeof(state[0])),
+                      static_cast<std::uint32_t>(seen_.size()));
+    if (is_new) next_.push_back(state);
+    return entry->second;
+  }
+
+  /// The shortest run to a scan that is not one to get to and from whose end
+  /// none can be got to.
+  void find_stuck(std::size_t obligation) {
+    std::vector<bool> leads(seen_.size(), false);
+    const auto is_goal = [&](const Edge& edge) {
+      return (edge.goals >> obligation & 1U) != 0;
+    };
+    for (bool more = true; more;) {
+      more = false;
+      for (const Edge& edge : edges_) {
+        if (leads[edge.from] || !(is_goal(edge) || leads[edge.to])) continue;
+        leads[edge.from] = more = true;
+      }
+    }
+    for (const Edge& edge : edges_) {
+      if (is_goal(edge) || leads[edge.to]) continue;
+      std::uint64_t& at = result_.decided_at[obligation];
+      if (at == 0 || edge.number < at) at = edge.number;
     }
   }
 
@@ -62,12 +97,13 @@ class Search {
             [this](ExprId term) { return interpreter_.value(term) != 0; });
         if (!allowed) continue;
         result_.runs = true;
-        judge(scan);
+        const std::uint64_t goals = judge(scan);
         StateValues after;
         for (std::uint32_t i = 0; i < ts_.states.size(); ++i) {
           after.push_back(interpreter_.state(i));
         }
-        add(after);
+        const std::uint32_t from = place(state);
+        edges_.push_back({from, place(after), scan, goals});
       }
     }
   }
@@ -83,24 +119,30 @@ class Search {
     interpreter_.step();
   }
 
-  void judge(std::uint64_t scan) {
+  /// Which conditions hold, by obligation.
+  std::uint64_t judge(std::uint64_t scan) {
+    std::uint64_t held = 0;
     for (std::size_t i = 0; i < obligations_.size(); ++i) {
       const Obligation& obligation = obligations_[i];
       const bool holds = interpreter_.value(obligation.condition) != 0;
-      const bool decides = holds == (obligation.goal == Goal::Reach);
+      held |= std::uint64_t{holds} << i;
+      const bool decides = holds == (obligation.goal == Goal::Reach) &&
+                           obligation.goal != Goal::Recover;
       if (decides && result_.decided_at[i] == 0) result_.decided_at[i] = scan;
       if (!result_.triggered[i] &&
           interpreter_.value(obligation.trigger) != 0) {
         result_.triggered[i] = true;
       }
     }
+    return held;
   }
 
   const TransitionSystem& ts_;
   const std::vector<Obligation>& obligations_;
   TsInterpreter interpreter_;
   std::vector<VarId> bits_;
-  std::unordered_set<std::string> seen_;  // the values' bytes
+  std::unordered_map<std::string, std::uint32_t> seen_;  // the values' bytes
+  std::vector<Edge> edges_;
   std::vector<StateValues> next_;
   StateSearch result_;
 };

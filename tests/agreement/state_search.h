@@ -12,7 +12,8 @@ namespace rung {
 /// be held against it.
 struct StateSearch {
   /// By obligation: scans of a shortest run at whose end an invariant's
-  /// condition is false, or a reach obligation's true; 0 when no run has one.
+  /// condition is false, or a reach obligation's true, or from whose end no
+  /// run leads to a recover obligation's; 0 when no run has one.
   std::vector<std::uint64_t> decided_at;
   /// By obligation: its trigger holds at some scan's end; true without one.
   std::vector<bool> triggered;

@@ -43,6 +43,7 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(
         Case{"always Q0 -> !I1", "always@1 = {Q0 -> !I1}"},
         Case{"  a.b-c :  never  Q0 AND Q1  ", "a.b-c = {Q0 AND Q1}"},
+        Case{"back: recoverable !Q0", "back = {!Q0}"},
         Case{"interlock Q0, Q1", "interlock@1 = {Q0} {Q1}"},
         Case{"interlock Q0, Q1 && (Q2 || I0), Q2 gap 1.5 s",
              "interlock@1 = {Q0} {Q1 && (Q2 || I0)} {Q2} 1500 ms"},
@@ -78,6 +79,7 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"pattern pattern-statechange-betweencycles(Q0; Q1; Q2)",
              "always@1 = {prev(Q0) && (Q1) -> (Q2)}"},
         Case{"pattern pattern-reachability(Q0)", "reach@1 = {Q0}"},
+        Case{"pattern pattern-repeatability(Q0)", "recoverable@1 = {Q0}"},
         Case{"pattern pattern-leadsto(Q0; I0)", "only-after@1 = {Q0} {I0}"},
         Case{"pattern pattern-leadsto-trigger(Q0; I0; I1)",
              "only-after@1 = {Q0} {prev(I0) && (I1)}"},
@@ -163,18 +165,12 @@ INSTANTIATE_TEST_SUITE_P(
 INSTANTIATE_TEST_SUITE_P(
     NotYet, Refused,
     testing::Values(
-        Case{"recoverable Q0",
-             "RP064 [recoverable] `recoverable` is not supported in this "
-             "version: no engine decides it yet"},
         Case{"n: eventually Q0 given fair I0",
              "RP064 [eventually] `eventually` is not supported in this "
              "version: no engine decides it yet"},
         Case{"settles within 3 scans",
              "RP064 [settles] `settles` is not supported in this version: no "
-             "engine decides it yet"},
-        Case{"pattern pattern-repeatability(Q0)",
-             "RP064 [pattern-repeatability] `pattern-repeatability` is not "
-             "supported in this version: no engine decides it yet"}));
+             "engine decides it yet"}));
 
 INSTANTIATE_TEST_SUITE_P(
     Numbers, Refused,

@@ -168,7 +168,8 @@ TEST(Replay, PartsOfALatch) {
   EXPECT_EQ(part(1, "01", "00", "01"), 0U) << "reset is dominant";
   EXPECT_EQ(part(2, "00", "10", "00"), 2U);
   EXPECT_EQ(part(2, "00", "10", "01"), 0U);
-  EXPECT_EQ(part(3, "11", "00", "11"), 0U);
+  EXPECT_EQ(part(3, "00", "10", "00"), 2U) << "it is off";
+  EXPECT_EQ(part(3, "00", "11", "11"), 0U);
   EXPECT_EQ(part(4, "01", "01", "01"), 2U);
   EXPECT_EQ(part(5, "10", "11", "00"), 0U);
   EXPECT_EQ(part(5, "01", "10", "00"), 0U + 1U);

@@ -1,0 +1,147 @@
+#include "smt/recovery_answers.h"
+
+#include <algorithm>
+#include <chrono>
+#include <utility>
+
+#include "analysis/simulator.h"
+#include "smt/faults.h"
+#include "smt/recovery_check.h"
+
+namespace rung {
+namespace {
+
+/// Test only: an invariant that no state meets, and a way less.
+void corrupt(Recovery& recovery) {
+  recovery.invariant.lemmas.emplace_back();
+  if (!recovery.regions.empty())
+    recovery.regions.erase(recovery.regions.begin());
+}
+
+/// Does the encoding allow runs that the program does not have?
+bool is_wider_than_program(const TransitionSystem& ts, ExprId goal) {
+  const std::unordered_set<ExprId> all = dependencies(ts, goal);
+  return std::any_of(all.begin(), all.end(), [&](ExprId id) {
+    const Expr& e = ts.exprs[id];
+    return e.op == ExprOp::Variable && ts.vars[e.var].role == VarRole::Choice;
+  });
+}
+
+std::vector<std::string> lemmas_of(const TransitionSystem& ts,
+                                   const Recovery& recovery) {
+  std::vector<std::string> lemmas;
+  for (const LemmaClause& lemma : recovery.invariant.lemmas) {
+    lemmas.push_back(to_string(ts, lemma));
+  }
+  return lemmas;
+}
+
+}  // namespace
+
+CertificateOptions RecoveryAnswers::certificate_options(
+    const Obligation& obligation) const {
+  return {options_.budget.seconds, options_.recheck, options_.smtlib_directory,
+          obligation.name};
+}
+
+CheckedAnswer RecoveryAnswers::decide(const Obligation& obligation,
+                                      const std::vector<ExprId>& growth,
+                                      const PortfolioOptions& engines) {
+  const auto start = std::chrono::steady_clock::now();
+  auto found = decided_.find(obligation.condition);
+  if (found == decided_.end()) {
+    found = decided_
+                .emplace(obligation.condition,
+                         recover(ts_, growth, obligation.condition, engines))
+                .first;
+  }
+  Recovery recovery = found->second;
+  if (options_.inject_wrong_invariant) corrupt(recovery);
+  CheckedAnswer answer;
+  answer.result.obligation = obligation;
+  answer.result.engine = recovery.engine;
+  switch (recovery.answer) {
+    case Recovery::Answer::Recoverable:
+      conclude_recoverable(recovery, answer);
+      break;
+    case Recovery::Answer::Stuck:
+      conclude_stuck(recovery, answer);
+      break;
+    case Recovery::Answer::Unknown:
+      answer.result.reason = recovery.reason;
+      break;
+  }
+  answer.result.milliseconds = std::chrono::duration<double, std::milli>(
+                                   std::chrono::steady_clock::now() - start)
+                                   .count();
+  return answer;
+}
+
+/// Notes the certificate's check; a verdict only where it was accepted.
+bool RecoveryAnswers::is_accepted(const CertificateReport& report,
+                                  CheckedAnswer& answer) {
+  Certificate& certificate = *answer.result.certificate;
+  certificate.checked_by = report.checked_by;
+  certificate.reused = report.reused;
+  certificate.smtlib_path = report.smtlib_path;
+  if (report.outcome == CertificateOutcome::Accepted) return true;
+  answer.result.certificate.reset();
+  if (report.outcome == CertificateOutcome::Rejected) {
+    answer.failure = "certificate rejected: " + report.what;
+  } else {
+    answer.result.reason =
+        "the certificate could not be checked: " + report.what;
+  }
+  return false;
+}
+
+void RecoveryAnswers::conclude_recoverable(const Recovery& recovery,
+                                           CheckedAnswer& answer) {
+  ObligationResult& result = answer.result;
+  result.certificate.emplace();
+  result.certificate->lemmas = lemmas_of(ts_, recovery);
+  for (const Region& region : recovery.regions) {
+    result.certificate->ways.push_back(to_string(ts_, region));
+  }
+  if (options_.self_check &&
+      !is_accepted(check_ways(session_, ts_, result.obligation.condition,
+                              recovery, certificate_options(result.obligation)),
+                   answer)) {
+    return;
+  }
+  result.verdict = Verdict::Proved;
+}
+
+void RecoveryAnswers::conclude_stuck(const Recovery& recovery,
+                                     CheckedAnswer& answer) {
+  ObligationResult& result = answer.result;
+  const ExprId goal = result.obligation.condition;
+  Stimulus stimulus = to_stimulus(ts_, recovery.run);
+  result.scans = scans_of(stimulus);
+  if (options_.inject_wrong_trace) drop_last_scan(stimulus);
+  result.certificate.emplace();
+  result.certificate->lemmas = lemmas_of(ts_, recovery);
+  if (options_.self_check) {
+    const RunEnd end = end_of_run(ts_, goal, stimulus);
+    answer.failure = disagreement(program_, properties_, ts_, result.obligation,
+                                  stimulus, end);
+    const bool accepted =
+        answer.failure.empty() &&
+        is_accepted(check_trap(session_, ts_, goal, recovery.invariant, end,
+                               certificate_options(result.obligation)),
+                    answer);
+    if (!accepted) {
+      result.certificate.reset();
+      if (answer.failure.empty() || !is_wider_than_program(ts_, goal)) return;
+      answer.failure.clear();
+      result.reason =
+          "the only run found leaves the range in which a counter is exact";
+      return;
+    }
+  }
+  result.verdict = Verdict::Violated;
+  result.reason = "no run leads back from there";
+  result.trace = simulate_changes(program_, stimulus);
+}
+
+}  // namespace rung
