@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <unordered_set>
 
 #include "smt/register_classes.h"
 
@@ -98,6 +99,18 @@ void Portfolio::structural() {
 void Portfolio::induction(std::uint32_t k, bool all,
                           const InductionLimits& limits) {
   learn({}, k, all, limits);
+}
+
+/// What is known already need not be shown again.
+std::vector<Candidate> Portfolio::guesses(Templates::Constants constants,
+                                          Templates::Reach reach) {
+  const std::unordered_set<AigLit> known(known_.lemmas.begin(),
+                                         known_.lemmas.end());
+  std::vector<Candidate> candidates = templates_->candidates(constants, reach);
+  std::erase_if(candidates, [&](const Candidate& candidate) {
+    return known.count(candidate.signal) != 0;
+  });
+  return candidates;
 }
 
 /// Joint induction over the open targets (without `all`, over those hoped to
@@ -248,7 +261,11 @@ void Portfolio::correspond() {
       cone_, known_, templates_->signatures(), goals, *options_.deadline);
   for (const auto& [x, y] : classes.equal) {
     const ExprId equal = ts_.exprs.equal(ts_.state_expr(x), ts_.state_expr(y));
-    known_.lemmas.push_back(cone_.circuit().bit(equal));
+    const AigLit signal = cone_.circuit().bit(equal);
+    if (std::count(known_.lemmas.begin(), known_.lemmas.end(), signal) != 0) {
+      continue;
+    }
+    known_.lemmas.push_back(signal);
     invariant_.lemmas.push_back({{equal, {}, 0, false}});
   }
   for (std::size_t i = 0; i < classes.unreachable.size(); ++i) {
@@ -256,12 +273,30 @@ void Portfolio::correspond() {
   }
 }
 
+/// From what is cheap and often enough to all there is. The last round of each
+/// reach is for what a scan hands on by the next one only: a phase begins, and
+/// its timer a scan later.
 void Portfolio::guess_lemmas() {
+  using Constants = Templates::Constants;
+  struct Round {
+    Templates::Reach reach;
+    Constants constants;
+    std::uint32_t k;
+  };
+  static constexpr Round kRounds[] = {
+      {Templates::Reach::Near, Constants::Alone, 0},
+      {Templates::Reach::Near, Constants::Pairs, 0},
+      {Templates::Reach::Near, Constants::Alone, 1},
+      {Templates::Reach::Far, Constants::Alone, 0},
+      {Templates::Reach::Far, Constants::Pairs, 0},
+      {Templates::Reach::Far, Constants::Alone, 1},
+  };
   if (templates_ == nullptr) return;
-  learn(templates_->candidates(Templates::Constants::Alone), 0, true, {});
-  if (!any_doubtful()) return;
-  learn(templates_->candidates(Templates::Constants::Pairs), 0, true, {});
-  correspond();
+  for (const Round& round : kRounds) {
+    if (!any_doubtful() || out_of_time()) break;
+    learn(guesses(round.constants, round.reach), round.k, true, {});
+    if (round.constants == Constants::Pairs) correspond();
+  }
   templates_.reset();
 }
 

@@ -59,6 +59,8 @@ class Portfolio {
   void induction(std::uint32_t k, bool all, const InductionLimits& limits);
   bool note_hits();
   void take_hits(Sought what, std::uint32_t steps);
+  std::vector<Candidate> guesses(Templates::Constants constants,
+                                 Templates::Reach reach);
   void correspond();
   void guess_lemmas();
   void learn(std::vector<Candidate> lemmas, std::uint32_t k, bool all,

@@ -23,11 +23,15 @@ Simulation::Simulation(Cone& cone, const JumpCircuit* jump, AigLit never,
       jump_(jump != nullptr && jump->useful() ? jump : nullptr),
       legal_(
           cone.circuit().aig().conjunction(cone.constraint(), aig_not(never))),
-      lanes_(cone.circuit().aig()) {
+      lanes_(cone.circuit().aig()),
+      turns_(cone) {
   for (std::size_t i = 0; i < cone.inputs().size(); ++i) {
     const Word& leaves = cone.circuit().leaves(cone.inputs()[i]);
     for (std::uint32_t lane = 0; lane < Lanes::kCount; ++lane) {
       lanes_.set(leaves, lane, first[i]);
+    }
+    if (cone.ts().vars[cone.inputs()[i]].type == Type::Bit) {
+      toggled_.push_back(input_bits_.size());
     }
     for (AigLit bit : leaves) {
       if (aig_node(bit) != 0) input_bits_.push_back(bit);
@@ -85,15 +89,16 @@ std::uint64_t Simulation::changing_lanes() {
   const std::uint64_t a = random();
   const std::uint64_t b = a & random();
   const std::uint64_t c = b & random();
-  const std::uint64_t calm = steps() % 16 == 0 ? ~kPatient : 0;
+  const std::uint64_t calm = steps() % 16 == 0 ? ~std::uint64_t{0} : 0;
   std::uint64_t patient = 0;
   for (std::uint32_t lane = 0; lane < Lanes::kCount; ++lane) {
     constexpr std::uint32_t kRests[] = {16, 32, 64, 256};  // steps
     const std::uint32_t rest = kRests[lane / 4 % 4];
     if (steps() % rest == 0) patient |= kPatient & std::uint64_t{1} << lane;
   }
-  return (a & kQuarter) | (b & kQuarter << 16U) | (c & kQuarter << 32U) |
-         (calm & kQuarter << 48U) | patient;
+  const std::uint64_t others = (a & kQuarter) | (b & kQuarter << 16U) |
+                               (c & kQuarter << 32U) | (calm & kQuarter << 48U);
+  return (others & ~kPatient) | patient;
 }
 
 /// New inputs in some lanes; most changes are of few inputs. In guided lanes
@@ -243,6 +248,20 @@ void Simulation::advance() {
   for (std::size_t i = 0; i < bits.size(); ++i) {
     lanes_.set(bits[i].leaf, next[i]);
   }
+  if (turns_.useful()) log_.back().turns = turns_.take(lanes_);
+}
+
+/// One or two inputs that are bits, in each lane.
+std::vector<std::uint64_t> Simulation::few_flips() {
+  std::vector<std::uint64_t> flips(input_bits_.size(), 0);
+  for (std::uint32_t lane : Turns::kLanes) {
+    for (int i = 0; i < 2; ++i) {
+      if (toggled_.empty()) continue;
+      const std::size_t bit = toggled_[(random() >> 8U) % toggled_.size()];
+      flips[bit] |= std::uint64_t{1} << lane;
+    }
+  }
+  return flips;
 }
 
 /// Lanes in which the word is greater than `bound`, or (`down`) less: which is
@@ -338,6 +357,10 @@ void Simulation::step() {
   if (steps() > 0 && steps() % kEra == 0) next.origin = restart();
   const std::vector<std::uint64_t> before = inputs();
   propose();
+  if (turns_.useful()) {
+    if (steps() % kEra == 0) turns_.begin(lanes_, input_bits_, few_flips());
+    turns_.set_inputs(lanes_, input_bits_);
+  }
   keep_legal(before);
   next.inputs = inputs();
   log_.push_back(std::move(next));
@@ -375,6 +398,11 @@ Run Simulation::run(std::uint32_t step, std::uint32_t lane) const {
     }
     if (!made.deltas.empty()) one.delta = made.deltas[place.lane];
     run.push_back(std::move(one));
+    if (made.turns.empty() || &place == &places.back()) continue;
+    const RunStep turn[] = {run[run.size() - 2], run.back()};
+    for (std::int64_t i = 0; i < made.turns[place.lane]; ++i) {
+      run.insert(run.end(), std::begin(turn), std::end(turn));
+    }
   }
   run.back().delta = 0;
   return run;

@@ -8,6 +8,7 @@
 #include "smt/lanes.h"
 #include "smt/run.h"
 #include "smt/sat.h"
+#include "smt/turns.h"
 
 namespace rung {
 
@@ -38,7 +39,7 @@ class Simulation {
 
   /// Every other lane, so some of each pace.
   static constexpr std::uint64_t kGuided = 0x5555'5555'5555'5555U;
-  static constexpr std::uint64_t kPatient = 0xaaaa'0000'0000'0000U;
+  static constexpr std::uint64_t kPatient = 0xaaaa'aaaa'0000'0000U;
 
   std::uint32_t steps() const {
     return static_cast<std::uint32_t>(log_.size());
@@ -62,6 +63,7 @@ class Simulation {
   struct Step {
     std::vector<std::uint64_t> inputs;  // by input bit
     std::vector<std::int64_t> deltas;   // by lane, behind this scan
+    std::vector<std::int64_t> turns;    // by lane, behind that: see Turns
     std::vector<Place> origin;          // by lane; empty: the step before
   };
 
@@ -96,6 +98,7 @@ class Simulation {
   std::vector<std::uint64_t> inputs() const;
   void advance();
   Lanes::Values waits();
+  std::vector<std::uint64_t> few_flips();
   std::uint64_t take_stretches(Lanes::Values& deltas);
   Lanes::Values times_to_event() const;
   std::int64_t legal_sum(std::int64_t delta) const;
@@ -106,9 +109,11 @@ class Simulation {
   AigLit legal_;
   Lanes lanes_;
   std::vector<AigLit> input_bits_;
+  std::vector<std::size_t> toggled_;   // of them, inputs that are bits
   std::vector<std::uint64_t> frozen_;  // by input; bits only
   std::vector<Clock> clocks_;
   std::vector<Record> records_;
+  Turns turns_;
   std::vector<Step> log_;
   std::vector<AigLit> movable_;  // state and input bits
   std::vector<Start> starts_;    // the latest ones, in a ring

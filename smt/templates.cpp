@@ -9,6 +9,7 @@ namespace {
 
 constexpr std::size_t kAllPairs = 24;       // states of a small cone
 constexpr std::size_t kGroup = 16;          // states that one term reads
+constexpr std::size_t kClose = 6;           // of them, the nearest
 constexpr std::size_t kCandidates = 30000;  // in all
 
 }  // namespace
@@ -43,8 +44,9 @@ Templates::Templates(TransitionSystem& ts, Cone& cone,
 }
 
 /// Places of the states that a term reads in its scan.
-std::vector<std::uint32_t> Templates::read_by(ExprId term) const {
-  std::vector<std::uint32_t> places = states_read(ts_, term, false, kGroup);
+std::vector<std::uint32_t> Templates::read_by(ExprId term,
+                                              std::size_t limit) const {
+  std::vector<std::uint32_t> places = states_read(ts_, term, false, limit);
   for (std::uint32_t& place : places) place = place_.at(place);
   return places;
 }
@@ -52,33 +54,37 @@ std::vector<std::uint32_t> Templates::read_by(ExprId term) const {
 void Templates::connect(const std::vector<std::uint32_t>& group) {
   for (std::size_t i = 0; i < group.size(); ++i) {
     for (std::size_t j = 0; j < i; ++j) {
-      pairs_.emplace_back(std::min(group[i], group[j]),
-                          std::max(group[i], group[j]));
+      near_.emplace_back(std::min(group[i], group[j]),
+                         std::max(group[i], group[j]));
     }
   }
 }
 
 bool Templates::near(std::uint32_t x, std::uint32_t y) const {
   return columns_.size() <= kAllPairs ||
-         std::binary_search(pairs_.begin(), pairs_.end(),
+         std::binary_search(near_.begin(), near_.end(),
                             std::pair(std::min(x, y), std::max(x, y)));
 }
 
 void Templates::find_neighbours(const std::vector<ExprId>& roots) {
-  if (columns_.size() <= kAllPairs) {
-    std::vector<std::uint32_t> all(columns_.size());
-    for (std::uint32_t i = 0; i < all.size(); ++i) all[i] = i;
-    return connect(all);
-  }
-  for (ExprId root : roots) connect(read_by(root));
+  const bool small = columns_.size() <= kAllPairs;
+  for (ExprId root : roots) connect(read_by(root, small ? kClose : kGroup));
   for (std::uint32_t i = 0; i < columns_.size(); ++i) {
     const ExprId next = ts_.states[cone_->states()[i]].next;
-    for (std::uint32_t read : read_by(next)) {
-      if (read != i) pairs_.emplace_back(std::min(i, read), std::max(i, read));
+    for (std::uint32_t read : read_by(next, small ? kClose : kGroup)) {
+      if (read != i) near_.emplace_back(std::min(i, read), std::max(i, read));
     }
   }
-  std::sort(pairs_.begin(), pairs_.end());
-  pairs_.erase(std::unique(pairs_.begin(), pairs_.end()), pairs_.end());
+  std::sort(near_.begin(), near_.end());
+  near_.erase(std::unique(near_.begin(), near_.end()), near_.end());
+  if (!small) return;
+  for (std::uint32_t i = 0; i < columns_.size(); ++i) {
+    for (std::uint32_t j = 0; j < i; ++j) {
+      const std::pair pair(j, i);
+      if (!std::binary_search(near_.begin(), near_.end(), pair))
+        far_.push_back(pair);
+    }
+  }
 }
 
 void Templates::sample(const Simulation& simulation) {
@@ -173,10 +179,12 @@ bool Templates::always_either(const Lanes64& a, bool not_a, const Lanes64& b,
 void Templates::add(LemmaClause clause, std::vector<Candidate>& result) {
   if (result.size() >= kCandidates) return;
   const AigLit signal = signal_of(*cone_, clause);
-  if (signal != kAigTrue) result.push_back({std::move(clause), signal});
+  if (signal == kAigTrue || !offered_.insert(signal).second) return;
+  result.push_back({std::move(clause), signal});
 }
 
-void Templates::pair_up(Constants constants, std::vector<Candidate>& result) {
+void Templates::pair_up(Constants constants, const Pairs& pairs,
+                        std::vector<Candidate>& result) {
   std::vector<bool> settled(literals_.size(), false);
   for (std::size_t i = 0; i < literals_.size(); ++i) {
     for (const bool value : {false, true}) {
@@ -185,7 +193,7 @@ void Templates::pair_up(Constants constants, std::vector<Candidate>& result) {
       add({{literals_[i].term, {}, 0, !value}}, result);
     }
   }
-  for (const auto& [x, y] : pairs_) {
+  for (const auto& [x, y] : pairs) {
     for (std::uint32_t i : literals_of_[x]) {
       for (std::uint32_t j : literals_of_[y]) {
         if (settled[i] || settled[j]) continue;
@@ -221,7 +229,7 @@ void Templates::offer(ExprId relation, const Lanes64& holds,
   }
 }
 
-void Templates::relate(std::uint32_t x, std::uint32_t y,
+void Templates::relate(std::uint32_t x, std::uint32_t y, bool guarded,
                        std::vector<Candidate>& result) {
   const Variable& a = ts_.vars[ts_.states[cone_->states()[x]].var];
   const Variable& b = ts_.vars[ts_.states[cone_->states()[y]].var];
@@ -244,8 +252,8 @@ void Templates::relate(std::uint32_t x, std::uint32_t y,
   const ExprId p = capped(a);
   const ExprId q = capped(b);
   std::vector<std::uint32_t> guards;
-  for (std::uint32_t i = 0; i < columns_.size() && guards.size() < kAllPairs;
-       ++i) {
+  for (std::uint32_t i = 0;
+       guarded && i < columns_.size() && guards.size() < kAllPairs; ++i) {
     if (!columns_[i].word && (near(i, x) || near(i, y)))
       guards.push_back(literals_of_[i].front());
   }
@@ -263,6 +271,7 @@ void Templates::follow(std::uint32_t x, std::uint32_t y,
   const ExprId clock = ts_.state_expr(cone_->states()[x]);
   const ExprId other = ts_.state_expr(cone_->states()[y]);
   for (const std::int64_t p : thresholds_[x]) {
+    if (p <= ts_.exprs[clock].low + 1) continue;
     constexpr std::int64_t kNone = -ExprArena::kUnbounded;
     std::int64_t most = kNone;
     for (std::size_t at = 0; at < of_x.words.size(); ++at) {
@@ -282,15 +291,18 @@ void Templates::follow(std::uint32_t x, std::uint32_t y,
   }
 }
 
-std::vector<Candidate> Templates::candidates(Constants constants) {
+std::vector<Candidate> Templates::candidates(Constants constants, Reach reach) {
   std::vector<Candidate> result;
+  offered_.clear();
   make_literals();
-  pair_up(constants, result);
-  for (const auto& [x, y] : pairs_) {
-    if (!columns_[x].word || !columns_[y].word) continue;
-    relate(x, y, result);
-    follow(x, y, result);
-    follow(y, x, result);
+  pair_up(constants, reach == Reach::Near ? near_ : far_, result);
+  for (const Pairs* pairs : {&near_, &far_}) {
+    for (const auto& [x, y] : *pairs) {
+      if (!columns_[x].word || !columns_[y].word) continue;
+      relate(x, y, constants == Constants::Pairs, result);
+      follow(x, y, result);
+      follow(y, x, result);
+    }
   }
   return result;
 }

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <unordered_map>
+#include <unordered_set>
 #include <utility>
 #include <vector>
 
@@ -46,12 +47,17 @@ class Templates {
   /// What a literal that never changed in the samples is good for.
   enum class Constants : std::uint8_t {
     Alone,  // it is a candidate, and makes no pairs
-    Pairs,  // it was not to be shown alone: the samples did not come that far
+    Pairs,  // it was not to be shown alone: the samples did not come that far;
+            // relations of words may also hold under a bit only
   };
   /// Those that all samples meet.
-  std::vector<Candidate> candidates(Constants constants);
+  /// Implications between states that read each other, or between others; the
+  /// first are fewer and more often what is needed.
+  enum class Reach : std::uint8_t { Near, Far };
+  std::vector<Candidate> candidates(Constants constants, Reach reach);
 
  private:
+  using Pairs = std::vector<std::pair<std::uint32_t, std::uint32_t>>;
   using Lanes64 = std::vector<std::uint64_t>;  // by sample
 
   /// A bit term over one or two states, and where it is true.
@@ -69,13 +75,15 @@ class Templates {
   };
 
   void find_neighbours(const std::vector<ExprId>& roots);
-  std::vector<std::uint32_t> read_by(ExprId term) const;
+  std::vector<std::uint32_t> read_by(ExprId term, std::size_t limit) const;
   void connect(const std::vector<std::uint32_t>& group);
   bool near(std::uint32_t x, std::uint32_t y) const;
   void make_literals();
   void add_literal(std::uint32_t state, ExprId term, Lanes64 holds);
-  void pair_up(Constants constants, std::vector<Candidate>& result);
-  void relate(std::uint32_t x, std::uint32_t y, std::vector<Candidate>& result);
+  void pair_up(Constants constants, const Pairs& pairs,
+               std::vector<Candidate>& result);
+  void relate(std::uint32_t x, std::uint32_t y, bool guarded,
+              std::vector<Candidate>& result);
   void follow(std::uint32_t x, std::uint32_t y, std::vector<Candidate>& result);
   void offer(ExprId relation, const Lanes64& holds,
              const std::vector<std::uint32_t>& guards,
@@ -87,13 +95,15 @@ class Templates {
 
   TransitionSystem& ts_;
   Cone* cone_;
-  std::unordered_map<std::uint32_t, std::uint32_t> place_;      // of a state
-  std::vector<Column> columns_;                                 // by place
-  std::vector<std::vector<std::uint32_t>> literals_of_;         // by place
-  std::vector<std::vector<std::int64_t>> thresholds_;           // by place
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs_;  // of places
+  std::unordered_map<std::uint32_t, std::uint32_t> place_;  // of a state
+  std::vector<Column> columns_;                             // by place
+  std::vector<std::vector<std::uint32_t>> literals_of_;     // by place
+  std::vector<std::vector<std::int64_t>> thresholds_;       // by place
+  Pairs near_;                                              // of places
+  Pairs far_;  // all others, in a small cone
   std::vector<Literal> literals_;
   Lanes64 alive_;
+  std::unordered_set<AigLit> offered_;
 };
 
 }  // namespace rung

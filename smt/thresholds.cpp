@@ -1,6 +1,7 @@
 #include "smt/thresholds.h"
 
 #include <algorithm>
+#include <deque>
 
 namespace rung {
 namespace {
@@ -14,11 +15,11 @@ constexpr std::size_t kReaders = 4;    // words in one comparison
 std::vector<std::uint32_t> states_read(const TransitionSystem& ts, ExprId term,
                                        bool words_only, std::size_t limit) {
   std::vector<std::uint32_t> result;
-  std::vector<ExprId> stack = {term};
+  std::deque<ExprId> queue = {term};
   std::unordered_map<ExprId, bool> seen;
-  while (!stack.empty() && seen.size() < kVisited && result.size() < limit) {
-    const ExprId id = stack.back();
-    stack.pop_back();
+  while (!queue.empty() && seen.size() < kVisited && result.size() < limit) {
+    const ExprId id = queue.front();
+    queue.pop_front();
     if (!seen.emplace(id, true).second) continue;
     const Expr& e = ts.exprs[id];
     if (words_only && e.type == Type::Bit) continue;
@@ -26,7 +27,7 @@ std::vector<std::uint32_t> states_read(const TransitionSystem& ts, ExprId term,
       result.push_back(ts.vars[e.var].state);
     }
     const Operands under = operands(e);
-    stack.insert(stack.end(), under.ids, under.ids + under.count);
+    queue.insert(queue.end(), under.ids, under.ids + under.count);
   }
   return result;
 }

@@ -8,7 +8,7 @@
 
 namespace rung {
 
-/// States that `term` reads within its scan, at the most `limit` of them. With
+/// States that `term` reads within its scan, the nearest `limit` of them. With
 /// `words_only`, just those whose value it passes on or adds to.
 std::vector<std::uint32_t> states_read(const TransitionSystem& ts, ExprId term,
                                        bool words_only, std::size_t limit);

@@ -80,9 +80,10 @@ std::int64_t Turns::times(std::size_t lane) const {
     const std::vector<std::int64_t>& c = numbers_[i].thresholds;
     const auto above = std::upper_bound(c.begin(), c.end(), value);
     const std::int64_t top = above == c.end() ? numbers_[i].high : *above - 1;
-    const std::int64_t bottom = above == c.begin() ? numbers_[i].low : above[-1];
-    times = std::min(times, by > 0 ? (top - value) / by
-                                   : (value - bottom) / -by);
+    const std::int64_t bottom =
+        above == c.begin() ? numbers_[i].low : above[-1];
+    times =
+        std::min(times, by > 0 ? (top - value) / by : (value - bottom) / -by);
   }
   return moves ? times : 0;
 }

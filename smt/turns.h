@@ -54,10 +54,10 @@ class Turns {
 
   bool useful_ = false;
   std::vector<Number> numbers_;
-  std::vector<AigLit> bits_;                           // states that are bits
-  std::array<std::vector<std::uint64_t>, 2> inputs_;   // by turns
-  std::uint32_t scans_ = 0;                            // of this era
-  std::vector<Moment> moments_;                        // the last three
+  std::vector<AigLit> bits_;                          // states that are bits
+  std::array<std::vector<std::uint64_t>, 2> inputs_;  // by turns
+  std::uint32_t scans_ = 0;                           // of this era
+  std::vector<Moment> moments_;                       // the last three
 };
 
 }  // namespace rung

@@ -197,6 +197,55 @@ TEST(Verify, ACounterIsCounted) {
   EXPECT_EQ(c["three"].scans, 5U);  // up, down, up, down, up
 }
 
+TEST(Verify, ACounterOfThousandsIsATurnTakenOften) {
+  const Checked c = check(
+      "//@ end: reach Q0\n"
+      "Q0 = C(0, 5000, I0 && !Q0, false, false);\n");
+  expect(c, "end", Verdict::Proved);
+  EXPECT_GE(c["end"].scans, 9999U);  // 5,000 times up, and down in between
+  EXPECT_LE(c["end"].scans, 10100U);
+}
+
+TEST(Verify, TimeBoundsAlongAChainAreExact) {
+  const std::string chain =
+      "//@ scan 1..50 ms\n"
+      "Run = (I0 || Run) && !I1;\n"
+      "D0 = T(0, 1, Run);\n"
+      "D1 = T(1, 1, D0);\n"
+      "Q0 = T(2, 1, D1);\n";
+  VerifyOptions one;
+  one.wanted = [](std::string_view name) { return name == "bound"; };
+  // Two timers are 49 ms late; the last is 1 ms short of its time at 3,097.
+  const Checked holds =
+      check("//@ bound: Run for 3098 ms implies Q0\n" + chain, one);
+  expect(holds, "bound", Verdict::Proved);
+  EXPECT_EQ(holds.report.results.size(), 1U);
+  const Checked fails =
+      check("//@ bound: Run for 3097 ms implies Q0\n" + chain, one);
+  expect(fails, "bound", Verdict::Violated);
+}
+
+TEST(Verify, TwinsWithTimersAreEqual) {
+  const std::string twins =
+      "//@ same: always M2 = N2\n"
+      "M0 = (T(0, 1000, I0) && I0 || M0) && !I1;\n"
+      "M1 = (T(1, 2000, M0) && I2 || M1) && !I1;\n"
+      "M2 = (T(2, 3000, M1) && I3 || M2) && !I1;\n"
+      "U0 = T(3, 1000, I0);\n"
+      "N0 = !I1 && N0 || !I1 && I0 && U0;\n"
+      "U1 = T(4, 2000, N0);\n"
+      "N1 = !I1 && N1 || !I1 && I2 && U1;\n";
+  const Checked equal = check(twins +
+                              "U2 = T(5, 3000, N1);\n"
+                              "N2 = !I1 && N2 || !I1 && I3 && U2;\n");
+  expect(equal, "same", Verdict::Proved);
+  EXPECT_EQ(equal["same"].engine, "correspondence");
+  const Checked longer = check(twins +
+                               "U2 = T(5, 3001, N1);\n"
+                               "N2 = !I1 && N2 || !I1 && I3 && U2;\n");
+  expect(longer, "same", Verdict::Violated);
+}
+
 TEST(Verify, OneEngineByItself) {
   VerifyOptions options;
   options.engine = "bmc";
