@@ -24,6 +24,7 @@ const Language* choose_language(const Input& input, const Options& options,
   if (language == nullptr) {
     std::string known;
     for (const Language& one : languages()) {
+      if (!one.supported()) continue;
       known += fmt::format("{}`{}`", known.empty() ? "" : ", ", one.name);
     }
     sink.report(
@@ -35,9 +36,9 @@ const Language* choose_language(const Input& input, const Options& options,
   if (!language->supported()) {
     sink.report(file_error(
         input.file, "RP074",
-        fmt::format("this {} `{}`, a language that is not supported yet",
-                    named.empty() ? "looks like" : "is said to be",
-                    language->name)));
+        fmt::format("{} are not read, and this {} one of them",
+                    language->plural,
+                    named.empty() ? "looks like" : "is said to be")));
     return nullptr;
   }
   return language;

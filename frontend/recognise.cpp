@@ -80,20 +80,38 @@ bool is_ldmicro(std::string_view text) {
 }
 
 bool is_plclib(std::string_view text) {
+  // A tab of a sketch has no #include.
+  const std::string_view first = first_line(text);
+  if (starts_word(first, "void") && first.find('(') != first.npos) return true;
   return any_line_with(text, "#include", [](std::string_view line) {
     return line.starts_with("#include") &&
            line.find("plcLib") != std::string_view::npos;
   });
 }
 
-/// Archives and projects of tools that no reader knows yet: without these two
-/// lines their texts would be taken for scripts and refused for their signs.
+// Files that no reader takes. What is in them may look like another language:
+// the networks of a project, say.
+
 bool is_classicladder(std::string_view text) {
   return text.starts_with("_FILES_CLASSICLADDER");
 }
 
 bool is_vovkplc(std::string_view text) {
   return first_line(text).starts_with("VOVKPLCPROJECT");
+}
+
+/// `let a: u8 @ M0 = 1;` or `function f(): u8 {`.
+bool is_plcscript(std::string_view text) {
+  const std::string_view line = first_line(text);
+  return (starts_word(line, "let") && line.find(':') != line.npos) ||
+         (starts_word(line, "function") && line.ends_with('{'));
+}
+
+bool is_json(std::string_view text) {
+  text = trimmed(text);
+  if (!text.starts_with('{')) return false;
+  text = trimmed(text.substr(1));
+  return text.starts_with('"') || text.starts_with('}');
 }
 
 bool is_script(std::string_view) { return true; }
@@ -132,6 +150,14 @@ Ast script_reader(const SourceSet& sources, FileId file,
 }
 
 constexpr std::array kLanguages = {
+    Language{"classicladder",
+             {},
+             is_classicladder,
+             nullptr,
+             "ClassicLadder projects"},
+    Language{"vovkplc", {}, is_vovkplc, nullptr, "VovkPLC projects"},
+    Language{"plcscript", {}, is_plcscript, nullptr, "scripts of VovkPLC"},
+    Language{"json", {}, is_json, nullptr, "JSON files"},
     Language{"postfix", kScriptPresets, is_postfix, postfix_reader},
     Language{"ldmicro", kLdmicroPresets, is_ldmicro, read_ldmicro},
     Language{"l5x", kLogixPresets, is_l5x, read_l5x},
@@ -144,8 +170,6 @@ constexpr std::array kLanguages = {
     Language{"il-iec", kIecPresets, is_il_iec, read_il_iec},
     Language{"st", kIecPresets, is_structured_text, read_structured_text},
     Language{"ascii", kAsciiPresets, is_ascii_ladder, read_ascii},
-    Language{"classicladder", {}, is_classicladder},
-    Language{"vovkplc", {}, is_vovkplc},
     Language{"script", kScriptPresets, is_script, script_reader},
 };
 

@@ -27,9 +27,10 @@ struct Language {
   std::span<const std::string_view> presets;
   bool (*looks_so)(std::string_view text) = nullptr;
   /// Errors go to the sink; then the result must not be used. Null: the
-  /// language is known by its looks, and not supported.
+  /// language is known by its looks, and its texts, `plural`, are not read.
   Ast (*read)(const SourceSet& sources, FileId file, const ReadOptions& options,
               DiagnosticSink& sink) = nullptr;
+  std::string_view plural = {};
 
   bool supported() const { return read != nullptr; }
   bool has_preset(std::string_view preset) const;

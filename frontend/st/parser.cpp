@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "frontend/iec/bodies.h"
+#include "frontend/st/endless.h"
 
 namespace rung::st {
 namespace {
@@ -136,7 +137,14 @@ bool Parser::keyword(const std::string& word, SourceRange where) {
 
 void Parser::unsupported(const std::string& word, SourceRange where) {
   std::string why = "`" + word + "` is not supported";
-  if (word == "WHILE" || word == "REPEAT") {
+  const bool loop = word == "WHILE" || word == "REPEAT";
+  const bool endless = loop && keeps_its_condition(cursor_);
+  if (endless) {
+    why = "nothing in this " + word + " changes its condition: " +
+          (word == "WHILE"
+               ? "a scan that enters it never ends"
+               : "its first pass is the last one, or the scan never ends");
+  } else if (loop) {
     why +=
         ": the number of its passes is not constant, so no bound of the "
         "scan is known";
@@ -144,7 +152,7 @@ void Parser::unsupported(const std::string& word, SourceRange where) {
              word == "ACTION") {
     why += ": this is a sequential function chart";
   }
-  scope_.fail("RP041", where, why);
+  scope_.fail(endless ? "RP100" : "RP041", where, why);
   stopped_ = true;
 }
 

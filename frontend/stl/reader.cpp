@@ -102,9 +102,13 @@ bool is_stl(std::string_view text) {
         return statement.operands.empty() ||
                !statement.operands[0].text.starts_with("=");
       }
-      const bool load = statement.name == "L" || statement.name == "CALL" ||
-                        statement.name == "SET" || statement.name == "CLR";
-      if (!load) return false;
+      // `L 30`, but not `L = I0`.
+      if (statement.name == "L" && !statement.operands.empty()) {
+        return !statement.operands[0].text.starts_with("=");
+      }
+      const bool anywhere = statement.name == "CALL" ||
+                            statement.name == "SET" || statement.name == "CLR";
+      if (!anywhere) return false;
     }
   }
   return false;

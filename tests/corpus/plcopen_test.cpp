@@ -43,7 +43,10 @@ std::string text_of(const std::string& path) {
 struct Read {
   Read(const std::string& path, std::string_view semantics,
        std::string_view pou = "")
-      : file(sources.add(path, text_of(path))) {
+      : Read(path, text_of(path), semantics, pou) {}
+  Read(const std::string& path, std::string text, std::string_view semantics,
+       std::string_view pou)
+      : file(sources.add(path, std::move(text))) {
     const Language& language = recognise(sources[file].text());
     name = language.name;
     if (!language.supported()) return;
@@ -144,7 +147,8 @@ TEST(PlcopenCorpus, IsReadOrRefusedForItsReason) {
   if (!has_corpus()) GTEST_SKIP() << "no " << kRoot;
   EXPECT_EQ(outcomes(".xml"),
             (Counts{{"read", 37},
-                    {"RP041 WHILE", 27},
+                    {"RP100", 21},       // a WHILE that never ends
+                    {"RP041 WHILE", 6},  // one that may
                     {"RP041 __TRY", 5},
                     {"RP041 1.0", 3},  // REAL
                     {"RP041 REAL", 3},
@@ -160,7 +164,8 @@ TEST(PlcopenCorpus, IsReadOrRefusedForItsReason) {
                     {"RP094 arrayValue", 1},
                     {"RP098", 1}}));  // power rails and nothing else
   EXPECT_EQ(outcomes(".st"), (Counts{{"read", 38},
-                                     {"RP041 WHILE", 36},
+                                     {"RP100", 30},
+                                     {"RP041 WHILE", 6},
                                      {"RP041 __TRY", 5},
                                      {"RP041 1.0", 1},
                                      {"RP041 REAL", 3},
@@ -229,9 +234,7 @@ void compare_memory(Read& a, Read& b) {
   }
 }
 
-std::string compare(const Pair& pair, const std::string& pou) {
-  Read a(pair.drawing, pair.semantics, pou);
-  Read b(pair.text, pair.semantics, pou);
+std::string compare(Read a, Read b) {
   if (a.read && b.read) {
     compare_memory(a, b);
     a.build();
@@ -256,6 +259,11 @@ std::string compare(const Pair& pair, const std::string& pou) {
   return result.error + result.reason;
 }
 
+std::string compare(const Pair& pair, const std::string& pou) {
+  return compare(Read(pair.drawing, pair.semantics, pou),
+                 Read(pair.text, pair.semantics, pou));
+}
+
 void show(const Pair& pair, const std::string& what) {
   if (std::getenv("RUNG_SHOW") == nullptr) return;
   std::printf("%s %s %s\n", pair.text.c_str(), pair.semantics.c_str(),
@@ -263,10 +271,7 @@ void show(const Pair& pair, const std::string& what) {
 }
 
 // The drawings are what the tools' structured text says, under the semantics
-// of the tool: every variable that both write, in every scan. Of three drawings
-// the manifest says that they differ from their text: two call a comparison
-// with EN wired to the rail where the text has none, which is the same, and one
-// has a loop that is refused on both sides.
+// of the tool: every variable that both write, in every scan.
 TEST(PlcopenCorpus, IsWhatTheToolsMakeOfIt) {
   if (!has_corpus()) GTEST_SKIP() << "no " << kRoot;
   Counts counts;
@@ -278,6 +283,54 @@ TEST(PlcopenCorpus, IsWhatTheToolsMakeOfIt) {
     }
   }
   EXPECT_EQ(counts, (Counts{{"equivalent", 81}, {"refused", 53}}));
+}
+
+/// Without what stands from `begin` to `end`, which must be there.
+std::string without(std::string text, std::string_view begin,
+                    std::string_view end) {
+  const std::size_t from = text.find(begin);
+  const std::size_t to = text.find(end, from);
+  EXPECT_NE(to, std::string::npos) << begin;
+  if (to == std::string::npos) return text;
+  return text.erase(from, to + end.size() - from);
+}
+
+// Of three drawings the manifest says that they differ from their text. Where
+// both are refused, what they are refused for is taken out of both: the handler
+// of an exception that nothing raises, a loop that never ends.
+TEST(PlcopenCorpus, ThreePairsDifferInTheirText) {
+  if (!has_corpus()) GTEST_SKIP() << "no " << kRoot;
+  std::map<std::string, std::string> results;
+  for (const Pair& pair : pairs()) {
+    if (!pair.differs) continue;
+    for (const std::string& pou : programs_of(pair.text)) {
+      const auto plain = [&](const std::string& path) {
+        std::string text = text_of(path);
+        if (path.find("LE_GE2") != std::string::npos) {
+          text = without(text, "__TRY", "\n");
+          text = without(text, "__CATCH", "__ENDTRY;");
+        } else {
+          text = without(text, "WHILE", "End_WHILE;");
+        }
+        return Read(path, std::move(text), pair.semantics, pou);
+      };
+      const std::string name = pair.drawing.substr(pair.drawing.rfind('/') + 1);
+      results[name + " " + pou] =
+          compare(plain(pair.drawing), plain(pair.text));
+    }
+  }
+  const std::map<std::string, std::string> expected = {
+      {"leg_fault_code_sleg_LE_GE2.xml PLC1", "equivalent"},
+      {"leg_fault_code_sleg_LE_GE2.xml PLC2", "different"},
+      {"leg_fault_code_sleg_LE_GE2.xml PLC3", "equivalent"},
+      {"mal_fault_code_smal_LE_GE2.xml PLC1", "equivalent"},
+      {"mal_fault_code_smal_LE_GE2.xml PLC2", "different"},
+      {"mal_fault_code_smal_LE_GE2.xml PLC3", "equivalent"},
+      {"mal_timer_smal_GE3_1.xml PLC1", "equivalent"},
+      {"mal_timer_smal_GE3_1.xml PLC2", "equivalent"},
+      {"mal_timer_smal_GE3_1.xml PLC3", "equivalent"},
+  };
+  EXPECT_EQ(results, expected);
 }
 
 // Under the other order most drawings whose statements stand in another order

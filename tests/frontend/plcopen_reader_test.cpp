@@ -574,7 +574,7 @@ std::vector<Refused> refused_files() {
       // Units in text.
       {"RP007", project(program("<ST><p>q := a; (* open</p></ST>"))},
       {"RP041",
-       project(program("<ST><p>WHILE a DO q := b; END_WHILE;</p></ST>"))},
+       project(program("<ST><p>WHILE a DO a := b; END_WHILE;</p></ST>"))},
       {"RP041", project(program("<ST><p>q := nobody;</p></ST>"))},
       {"RP094", project(program("<ST><table>q := a;</table></ST>"))},
       {"RP095", project(program("<LD/><ST/>"))},
