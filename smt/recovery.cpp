@@ -25,6 +25,7 @@ using Status = Target::Status;
 using Values = Ways::Values;
 
 constexpr std::size_t kRegions = 500;
+constexpr std::uint32_t kExtensions = 60;
 constexpr std::uint32_t kShallow = 8;  // steps of the first searches
 constexpr std::int64_t kConflicts = 2000;
 constexpr std::uint32_t kMinimiseQueries = 300;
@@ -101,7 +102,29 @@ class Recoverer {
       ++depth_;
     }
     depth_ = kShallow + 1;
+    extend();
     return ask_all();
+  }
+
+  /// Ways from states that perhaps no run reaches: the more states have one,
+  /// the less has to be known of the others. What is left out cannot get back.
+  void extend() {
+    for (; extended_ < kExtensions; ++extended_) {
+      const std::optional<Values> state = ways_.any_outside();
+      if (!state) return;
+      if (ways_.step_from(*state) || search_way(*state)) continue;
+      const std::vector<Bound> trap =
+          trap_around(ts_, cone_, bad(), *state, *options_.deadline);
+      if (trap.empty()) return;
+      ways_.leave_out(trap);
+    }
+  }
+
+  /// The goal, or a number that leaves its range.
+  ExprId bad() {
+    ExprId any = goal_;
+    for (const ExprId fault : faults_) any = ts_.exprs.disjunction(any, fault);
+    return any;
   }
 
   std::optional<Recovery> resolve_found(std::uint32_t depth,
@@ -196,10 +219,8 @@ class Recoverer {
 
   /// Is there a trap of the simplest kind around the end of the run?
   std::optional<Recovery> trapped(const FoundRun& run, const Values& state) {
-    ExprId bad = goal_;
-    for (const ExprId fault : faults_) bad = ts_.exprs.disjunction(bad, fault);
     const std::vector<Bound> trap =
-        trap_around(ts_, cone_, bad, state, *options_.deadline);
+        trap_around(ts_, cone_, bad(), state, *options_.deadline);
     if (trap.empty()) return std::nullopt;
     Recovery result;
     result.answer = Recovery::Answer::Stuck;
@@ -292,6 +313,7 @@ class Recoverer {
   Ways ways_;
   AigLit fault_ = kAigFalse;
   std::unique_ptr<BoundedSearch> search_;
+  std::uint32_t extended_ = 0;
   std::uint32_t depth_ = 1;  // up to which no run leaves the regions
   std::string engine_;
 };

@@ -1,6 +1,7 @@
 #include "smt/ways.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "smt/trap.h"
 
@@ -27,6 +28,7 @@ Ways::Ways(TransitionSystem& ts, Cone& cone, ExprId goal,
       clauses_(cone.circuit().aig(), sat_),
       allowed_(allowed(ts)),
       inside_(ts.exprs.bit(false)),
+      left_out_(ts.exprs.bit(false)),
       arrived_(goal) {
   clauses_.require(cone.ranges());
   for (const VarId input : cone.inputs()) {
@@ -76,13 +78,19 @@ std::vector<Ways::Hop> Ways::hops(const Values& state, const Run& run) {
   std::vector<Hop> result;
   start_in(state);
   for (const RunStep& step : run) {
-    result.push_back({state_now(), step.inputs, false, {}});
-    scan(step.inputs);
+    result.push_back(make_hop(step.inputs, false));
     if (step.delta <= 0) continue;
-    result.push_back({state_now(), step.inputs, true, {}});
-    scan(with_dt(step.inputs, step.delta));
-    result.back().after = state_now();
+    result.push_back(make_hop(with_dt(step.inputs, step.delta), true));
   }
+  return result;
+}
+
+/// A scan from the state that the terms are in.
+Ways::Hop Ways::make_hop(const std::vector<std::int64_t>& inputs,
+                         bool stretch) {
+  Hop result{state_now(), inputs, stretch, {}};
+  scan(inputs);
+  result.after = state_now();
   return result;
 }
 
@@ -92,8 +100,7 @@ std::vector<Ways::Hop> Ways::single_scans(const Hop& stretch) {
       with_dt(stretch.inputs, ts_.scan.max_ms);
   start_in(stretch.before);
   for (std::uint64_t i = 0; i < kSingleScans; ++i) {
-    result.push_back({state_now(), inputs, false, {}});
-    scan(inputs);
+    result.push_back(make_hop(inputs, false));
     if (contains(state_now())) return result;
   }
   return {};
@@ -125,20 +132,40 @@ bool Ways::step_from(const Values& state) {
   }
   sat_.assume(literal(ts_.exprs.conjunction(allowed_, arrived_)));
   if (sat_.solve(kConflicts) != SatAnswer::Sat) return false;
-  Hop hop{state, {}, false, {}};
+  std::vector<std::int64_t> inputs;
   for (const VarId input : cone_.inputs()) {
-    const Word& leaves = cone_.leaves(input);
-    std::uint64_t bits = 0;
-    const bool word = ts_.vars[input].type == Type::Word;
-    for (std::size_t i = 0; i < 64; ++i) {
-      if (!word && i > 0) break;
-      const AigLit leaf = leaves[std::min(i, leaves.size() - 1)];
-      bits |= std::uint64_t{clauses_.value(leaf)} << i;
-    }
-    hop.inputs.push_back(std::clamp(static_cast<std::int64_t>(bits),
-                                    ts_.vars[input].low, ts_.vars[input].high));
+    inputs.push_back(model_value(input));
   }
-  return add_scan(hop);
+  start_in(state);
+  return add_scan(make_hop(inputs, false));
+}
+
+std::int64_t Ways::model_value(VarId id) const {
+  const Variable& var = ts_.vars[id];
+  const Word& leaves = cone_.leaves(id);
+  const std::size_t width = var.type == Type::Word ? 64 : 1;
+  std::uint64_t bits = 0;
+  for (std::size_t i = 0; i < width; ++i) {
+    const AigLit leaf = leaves[std::min(i, leaves.size() - 1)];
+    bits |= std::uint64_t{clauses_.value(leaf)} << i;
+  }
+  // What the solver was not told of has no value yet.
+  return std::clamp(static_cast<std::int64_t>(bits), var.low, var.high);
+}
+
+std::optional<Ways::Values> Ways::any_outside() {
+  sat_.assume(-literal(inside_));
+  sat_.assume(-literal(left_out_));
+  if (sat_.solve(kConflicts) != SatAnswer::Sat) return std::nullopt;
+  Values values(ts_.states.size(), 0);
+  for (const std::uint32_t state : cone_.states()) {
+    values[state] = model_value(ts_.states[state].var);
+  }
+  return values;
+}
+
+void Ways::leave_out(const std::vector<Bound>& bounds) {
+  left_out_ = ts_.exprs.disjunction(left_out_, before_scan(ts_, bounds));
 }
 
 // --- one region --------------------------------------------------------------
@@ -250,12 +277,41 @@ void Ways::add(Region region) {
   regions_.push_back(std::move(region));
 }
 
+/// How much of the numbers' ranges the bounds leave out.
+double Ways::narrowness(const Region& region) const {
+  double sum = 0;
+  for (const Bound& bound : region.bounds) {
+    const Variable& var = ts_.vars[ts_.states[bound.state].var];
+    sum += static_cast<double>(bound.at_most ? var.high - bound.value
+                                             : bound.value - var.low);
+  }
+  return sum;
+}
+
+/// With the shortest scan, the longest, or that of the run: a short one
+/// crosses no bound, a long one does from afar.
 bool Ways::add_scan(const Hop& hop) {
-  Region region;
-  region.bounds = exactly(cone_, hop.before);
-  region.held = held(hop.inputs);
-  if (!widen(region)) return false;
-  add(std::move(region));
+  if (is_quiet(hop) && grows_on(hop)) return true;
+  std::optional<Region> best;
+  std::vector<std::vector<std::int64_t>> choices = {
+      hop.inputs, with_dt(hop.inputs, ts_.scan.min_ms),
+      with_dt(hop.inputs, ts_.scan.max_ms)};
+  for (const std::vector<std::int64_t>& inputs : choices) {
+    Region region;
+    region.bounds = exactly(cone_, hop.before);
+    region.held = held(inputs);
+    if (!widen(region)) continue;
+    const bool any_time = std::none_of(
+        region.held.begin(), region.held.end(),
+        [&](const Region::Held& one) { return one.input == ts_.dt; });
+    const bool better =
+        !best || std::pair(region.bounds.size(), narrowness(region)) <
+                     std::pair(best->bounds.size(), narrowness(*best));
+    if (better) best = std::move(region);
+    if (any_time || narrowness(*best) == 0) break;
+  }
+  if (!best) return false;
+  add(std::move(*best));
   return true;
 }
 
@@ -270,7 +326,16 @@ std::vector<std::uint32_t> Ways::running_clocks(const Hop& hop) const {
   return clocks;
 }
 
-bool Ways::add_stretch(const Hop& hop) {
+/// Only clocks change in it.
+bool Ways::is_quiet(const Hop& hop) const {
+  return std::all_of(
+      cone_.states().begin(), cone_.states().end(), [&](std::uint32_t state) {
+        return ts_.states[state].clock || hop.before[state] == hop.after[state];
+      });
+}
+
+/// As a region of many scans, in which a clock grows.
+bool Ways::grows_on(const Hop& hop) {
   const std::vector<std::uint32_t> clocks = running_clocks(hop);
   for (const bool relations : {false, true}) {
     for (const std::uint32_t clock : clocks) {
@@ -281,6 +346,11 @@ bool Ways::add_stretch(const Hop& hop) {
     }
     if (clocks.size() < 2) break;
   }
+  return false;
+}
+
+bool Ways::add_stretch(const Hop& hop) {
+  if (grows_on(hop)) return true;
   const std::vector<Hop> scans = single_scans(hop);
   for (std::size_t i = scans.size(); i-- > 0;) {
     if (!contains(scans[i].before) && !add_scan(scans[i])) return false;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "smt/cone.h"
@@ -38,6 +39,12 @@ class Ways {
   /// are those of the cone. False when it could not be generalised.
   bool learn(const Values& state, const Run& run);
 
+  /// Any state that is in no region, whether or not a run reaches it; nothing
+  /// when there is none but those left out.
+  std::optional<Values> any_outside();
+  /// any_outside() gives no state within these bounds any more.
+  void leave_out(const std::vector<Bound>& bounds);
+
   /// The states behind a run from `state`, scan by scan.
   Values end_of(const Values& state, const Run& run);
 
@@ -46,12 +53,13 @@ class Ways {
     Values before;
     std::vector<std::int64_t> inputs;
     bool stretch = false;  // many scans, as long as it takes
-    Values after;          // of a stretch
+    Values after;
   };
 
   int literal(ExprId term) {
     return clauses_.literal(cone_.circuit().bit(term));
   }
+  std::int64_t model_value(VarId var) const;
   void start_in(const Values& state);
   Values state_now() const;
   void scan(const std::vector<std::int64_t>& inputs);
@@ -60,6 +68,10 @@ class Ways {
   std::vector<std::int64_t> with_dt(std::vector<std::int64_t> inputs,
                                     std::int64_t dt) const;
 
+  Hop make_hop(const std::vector<std::int64_t>& inputs, bool stretch);
+  bool is_quiet(const Hop& hop) const;
+  bool grows_on(const Hop& hop);
+  double narrowness(const Region& region) const;
   bool add_scan(const Hop& hop);
   bool add_stretch(const Hop& hop);
   bool try_stretch(const Hop& hop, std::uint32_t clock, bool relations,
@@ -80,7 +92,8 @@ class Ways {
   Sat sat_;
   AigClauses clauses_;
   ExprId allowed_;
-  ExprId inside_;   // the state is in a region
+  ExprId inside_;  // the state is in a region
+  ExprId left_out_;
   ExprId arrived_;  // the scan's end is, or has the goal
   std::vector<Region> regions_;
 };
