@@ -97,7 +97,7 @@ TEST(Recovery, ScansThatNothingButClocksChangeIn) {
   const ExprId gone = s.on_delay("u", on, 1100);
   const Recovery r =
       expect_recoverable(s, s.e().conjunction(late, s.e().negation(gone)));
-  EXPECT_LE(r.regions.size(), 6U);
+  EXPECT_LE(r.regions.size(), 20U);
 }
 
 TEST(Recovery, TimersThatRunTogetherKeepTheirDistance) {
