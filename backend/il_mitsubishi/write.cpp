@@ -24,6 +24,19 @@ std::string refuse_preset(std::int64_t milliseconds) {
          "times";
 }
 
+/// Cells that begin with true are so from the first scan on. `first.1` is what
+/// the reader of lists makes for M8002.
+void relate_first_values(Unit& unit) {
+  const StateRelation::Name first = {"f", "first.1", true};
+  for (const Variable& variable : unit.variables) {
+    if (variable.initial == 0 || variable.source.empty()) continue;
+    const StateRelation::Name cell = {"c", variable.source};
+    unit.relations.push_back({"!f || c", {first, cell}});
+    unit.relations.push_back(
+        {"f || (c <-> d)", {first, cell, {"d", variable.name, true}}});
+  }
+}
+
 class MitsubishiWriter {
  public:
   MitsubishiWriter(const Unit& unit, const RungComments& comments)
@@ -192,6 +205,7 @@ std::optional<backend::Written> lower_to_il_mitsubishi(const Program& program,
                  .message = why});
     return std::nullopt;
   }
+  backend::relate_first_values(*unit);
   backend::Written written = backend::finish_written(*unit, {});
   const backend::RungComments comments =
       backend::place_comments(program, sources);
