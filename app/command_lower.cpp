@@ -11,6 +11,7 @@
 #include "backend/ascii/write.h"
 #include "backend/il_iec/write.h"
 #include "backend/il_mitsubishi/write.h"
+#include "backend/ldmicro/write.h"
 #include "backend/plclib/write.h"
 #include "backend/plcopen/write.h"
 #include "backend/postfix/lower.h"
@@ -21,34 +22,30 @@
 namespace rung {
 namespace {
 
-/// A language that can be written; `write` is null while it is only planned,
-/// and for postfix, which has a form in bytes as well.
+/// A language that can be written; `write` is null for postfix, which has a
+/// form in bytes as well.
 struct Target {
   std::string_view name;
-  bool supported = false;
   std::optional<backend::Written> (*write)(const Program& program,
                                            const SourceSet& sources,
                                            DiagnosticSink& sink) = nullptr;
 };
 constexpr std::array kTargets = {
-    Target{"postfix", true},
-    Target{"il-iec", true, lower_to_il_iec},
-    Target{"il-mitsubishi", true, lower_to_il_mitsubishi},
-    Target{"plclib", true, lower_to_plclib},
-    Target{"plcopen", true, lower_to_plcopen},
-    Target{"ldmicro"},
-    Target{"ascii", true, lower_to_ascii},
-    Target{"st", true, lower_to_st},
-    Target{"script", true, lower_to_script},
+    Target{"postfix"},
+    Target{"il-iec", lower_to_il_iec},
+    Target{"il-mitsubishi", lower_to_il_mitsubishi},
+    Target{"plclib", lower_to_plclib},
+    Target{"plcopen", lower_to_plcopen},
+    Target{"ldmicro", lower_to_ldmicro},
+    Target{"ascii", lower_to_ascii},
+    Target{"st", lower_to_st},
+    Target{"script", lower_to_script},
 };
 
 std::optional<std::string> check_target(const Options& options) {
   std::vector<std::string_view> names;
   for (const Target& target : kTargets) {
-    if (target.name == options.to && target.supported) return std::nullopt;
-    if (target.name == options.to) {
-      return fmt::format("--to: `{}` is not supported yet", options.to);
-    }
+    if (target.name == options.to) return std::nullopt;
     names.push_back(target.name);
   }
   return fmt::format("--to: there is no language `{}`{}", options.to,

@@ -132,8 +132,12 @@ std::shared_ptr<Program> build(const Input& input, const Options& options,
   if (errors.has_errors()) return nullptr;
   report.properties = read_properties(*program, extra, sources, errors);
   if (errors.has_errors()) return nullptr;
-  // The command line has the last word over `//@ scan` lines.
+  // The command line has the last word over `//@ scan` lines, and what counts
+  // scans of the time that its file says over both.
   if (options.scan) program->scan = *options.scan;
+  if (ast.dialect == "ldmicro") {
+    program->scan = {ast.scan_min_ms, ast.scan_max_ms};
+  }
   return program;
 }
 

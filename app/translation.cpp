@@ -159,8 +159,7 @@ Validation validate_written(const Program& source,
   reading.language = options.to;
   reading.scan = source.scan;
   const FileId file = sources.add("what was written", written.text);
-  const Loaded loaded =
-      load({file, "what was written", {}}, reading, {}, sources);
+  Loaded loaded = load({file, "what was written", {}}, reading, {}, sources);
   if (!loaded.program) {
     std::string error;
     for (const Diagnostic& item : loaded.report.findings) {
@@ -171,6 +170,12 @@ Validation validate_written(const Program& source,
     }
     return {kExitInternal, "it cannot be read back: " + error, ""};
   }
+  // A text may say itself how long its scans take.
+  const ScanInterval own = loaded.program->scan;
+  if (own.min_ms < source.scan.min_ms || own.max_ms > source.scan.max_ms) {
+    return {kExitInternal, "its scan time is not one of the source's", ""};
+  }
+  loaded.program->scan = source.scan;
   const TranslationCheck check =
       check_translation(source, *loaded.program,
                         {written.signals, written.elements, written.relations},

@@ -71,6 +71,9 @@ class Runs {
     dt = random.one_in(2)
              ? random.between(ts_.scan.min_ms, ts_.scan.max_ms)
              : random.between(1, longest_ >> random.between(0, 12));
+    // Where all scans take the same time, elapsed times are multiples of it.
+    const std::int64_t fixed = ts_.scan.min_ms;
+    if (fixed == ts_.scan.max_ms) dt = (dt + fixed - 1) / fixed * fixed;
   }
   void scan() {
     for (const ExprId id : terms_) value_[id.index()] = evaluate(id);

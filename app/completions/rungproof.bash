@@ -31,7 +31,7 @@ _rungproof() {
     --color) COMPREPLY=($(compgen -W "auto always never" -- "$current")) ;;
     --self-check) COMPREPLY=($(compgen -W "on off" -- "$current")) ;;
     --recheck) COMPREPLY=($(compgen -W "cvc5" -- "$current")) ;;
-    --to) COMPREPLY=($(compgen -W "postfix il-iec st script il-mitsubishi ascii plcopen plclib" -- "$current")) ;;
+    --to) COMPREPLY=($(compgen -W "postfix il-iec st script il-mitsubishi ascii plcopen ldmicro plclib" -- "$current")) ;;
     --certificates) COMPREPLY=($(compgen -d -- "$current")) ;;
     --scan|--timeout|--jobs|--property|--map|--scans|--dt|--rung|--delay|--git) ;;
     *)

@@ -37,7 +37,7 @@ complete -c rungproof -n '__fish_seen_subcommand_from equiv' -l rung -x -d 'comp
 complete -c rungproof -n '__fish_seen_subcommand_from equiv' -l delay -x -d 'scans that the second may lag behind'
 complete -c rungproof -n '__fish_seen_subcommand_from equiv' -l settled -d 'compare where nothing moves any more'
 complete -c rungproof -n '__fish_seen_subcommand_from equiv' -l git -x -d 'compare with the file in that commit'
-complete -c rungproof -n '__fish_seen_subcommand_from lower' -l to -x -a 'postfix il-iec st script il-mitsubishi ascii plcopen plclib' -d 'the language'
+complete -c rungproof -n '__fish_seen_subcommand_from lower' -l to -x -a 'postfix il-iec st script il-mitsubishi ascii plcopen ldmicro plclib' -d 'the language'
 complete -c rungproof -n '__fish_seen_subcommand_from lower' -s o -l output -r -F -d 'the file to write'
 complete -c rungproof -n '__fish_seen_subcommand_from lower' -l binary -d 'the bytes that a controller executes'
 complete -c rungproof -n '__fish_seen_subcommand_from run' -l stimulus -r -F -d 'inputs, scan by scan (CSV)'

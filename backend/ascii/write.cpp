@@ -133,8 +133,8 @@ std::optional<backend::Written> lower_to_ascii(const Program& program,
                                     .words = false,
                                     .ladder = true};
   const auto elements =
-      backend::ladder_elements({.on_delay = "ton",
-                                .all_of_iec = true,
+      backend::ladder_elements({.off_delay = true,
+                                .pulse = true,
                                 .plain_input = true,
                                 .one_call = true,
                                 .refuse = backend::refuse_preset},

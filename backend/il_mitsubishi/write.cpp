@@ -192,8 +192,7 @@ std::optional<backend::Written> lower_to_il_mitsubishi(const Program& program,
                                     .words = false,
                                     .ladder = true};
   const auto elements = backend::ladder_elements(
-      {.on_delay = "timer-melsec", .refuse = backend::refuse_preset},
-      profile.name);
+      {.refuse = backend::refuse_preset}, profile.name);
   std::optional<backend::Unit> unit =
       backend::UnitBuilder(program, profile, sink).build(*elements, "");
   if (!unit) return std::nullopt;

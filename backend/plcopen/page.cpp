@@ -144,14 +144,15 @@ void Page::comment(std::size_t row, const std::vector<std::string>& lines) {
 }
 
 End Page::relay(const char* kind, Cell at, const std::string& name,
-                bool negated, const Feed& feed, std::string_view storage) {
+                bool negated, const Feed& feed, Storage storage) {
   const std::int64_t x = x_of(at.column) + (pitch_ - kRelay) / 20 * 10;
   const std::int64_t y = y_of(at.row);
   const std::int64_t top = y - kRelay / 2;
   xml_node node = element(kind, x, top, kRelay, kRelay);
   node.append_attribute("negated") = negated;
-  if (storage != "none") {
-    node.append_attribute("storage") = std::string(storage).c_str();
+  if (storage != Storage::None) {
+    node.append_attribute("storage") =
+        storage == Storage::Set ? "set" : "reset";
   }
   input(node, x, y, x, top, feed);
   put_output(node, kRelay, kRelay / 2);
@@ -161,11 +162,11 @@ End Page::relay(const char* kind, Cell at, const std::string& name,
 
 End Page::contact(Cell at, const std::string& name, bool negated,
                   const Feed& feed) {
-  return relay("contact", at, name, negated, feed, "none");
+  return relay("contact", at, name, negated, feed, Storage::None);
 }
 
-End Page::coil(Cell at, const std::string& name, bool negated,
-               std::string_view storage, const Feed& feed) {
+End Page::coil(Cell at, const std::string& name, bool negated, Storage storage,
+               const Feed& feed) {
   return relay("coil", at, name, negated, feed, storage);
 }
 

@@ -7,6 +7,8 @@
 #include <string_view>
 #include <vector>
 
+#include "backend/unit/contacts.h"
+
 namespace rung::backend::plcopen {
 
 /// `<name>` with a text for people, as the editors write it: as it is, so that
@@ -50,8 +52,8 @@ class Page {
 
   void comment(std::size_t row, const std::vector<std::string>& lines);
   End contact(Cell at, const std::string& name, bool negated, const Feed& feed);
-  End coil(Cell at, const std::string& name, bool negated,
-           std::string_view storage, const Feed& feed);
+  End coil(Cell at, const std::string& name, bool negated, Storage storage,
+           const Feed& feed);
   End in_variable(Cell at, const std::string& expression);
   void out_variable(Cell at, const std::string& name, const Feed& feed);
   /// The ends of its outputs. Its pins are in the rows from `at` on.
@@ -72,7 +74,7 @@ class Page {
   pugi::xml_node element(const char* name, std::int64_t x, std::int64_t y,
                          std::int64_t width, std::int64_t height);
   End relay(const char* kind, Cell at, const std::string& name, bool negated,
-            const Feed& feed, std::string_view storage);
+            const Feed& feed, Storage storage);
   void input(pugi::xml_node parent, std::int64_t x, std::int64_t y,
              std::int64_t element_x, std::int64_t element_y, const Feed& feed);
   void open_rail(Rail& rail, const char* name, std::int64_t x);

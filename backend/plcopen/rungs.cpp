@@ -16,12 +16,6 @@ namespace {
 /// not drawn.
 constexpr std::size_t kMostWires = 32;
 
-bool is_comparison(NodeOp op) {
-  return op == NodeOp::Equal || op == NodeOp::NotEqual || op == NodeOp::Less ||
-         op == NodeOp::LessEqual || op == NodeOp::Greater ||
-         op == NodeOp::GreaterEqual;
-}
-
 bool is_leaf(const Terms& terms) { return terms.size() == 1; }
 
 /// A contact, or some in series.
@@ -127,52 +121,23 @@ class RungMaker {
       rung.enable = std::move(enable);
       return;
     }
-    const bool constant = is_leaf(value) && value[0].op == NodeOp::Constant;
-    if (guard.empty()) {
-      if (is_comparison(value.back().op)) {
-        add(Rung::Kind::Compare, target).word = value;
-      } else if (!set_or_reset(target, value)) {
-        coil(target, bits(value, target));
-      }
-    } else if (constant) {
-      coil(target, bits(guard, target), value[0].value != 0 ? "set" : "reset");
-    } else {
-      const Terms on = contact(guard, target);
-      coil(target, either(both(on, bits(value, target)),
-                          both(negated(on), read_term(target, Type::Bit))));
+    if (guard.empty() && is_comparison(value.back().op)) {
+      add(Rung::Kind::Compare, target).word = value;
+      return;
     }
+    const bool constant = is_leaf(value) && value[0].op == NodeOp::Constant;
+    const bool plain = guard.empty() || constant;
+    const Coil found =
+        coil_for(target, value, plain ? guard : contact(guard, target));
+    coil(target, bits(found.power, target), found.storage);
   }
 
   void coil(CellId target, const Terms& value,
-            std::string_view storage = "none") {
+            Storage storage = Storage::None) {
     Network power = split(network_of(value), target);
     Rung& rung = add(Rung::Kind::Coil, target);
     rung.power = std::move(power);
     rung.storage = storage;
-  }
-
-  /// `x OR target` and `target AND NOT x` are coils that keep their value.
-  bool set_or_reset(CellId target, const Terms& value) {
-    const NodeOp op = value.back().op;
-    if (op != NodeOp::Or && op != NodeOp::And) return false;
-    const auto right = value.end() - 1 - value[value.size() - 2].size;
-    Terms condition;
-    const auto is_target = [&](Terms::const_iterator begin,
-                               Terms::const_iterator end) {
-      return end - begin == 1 && begin->op == NodeOp::Read &&
-             begin->cell == target;
-    };
-    if (is_target(value.begin(), right)) {
-      condition.assign(right, value.end() - 1);
-    } else if (is_target(right, value.end() - 1)) {
-      condition.assign(value.begin(), right);
-    } else {
-      return false;
-    }
-    const bool set = op == NodeOp::Or;
-    coil(target, bits(set ? condition : negated(condition), target),
-         set ? "set" : "reset");
-    return true;
   }
 
   void call(const Statement& statement) {
@@ -256,38 +221,12 @@ class RungMaker {
                 Type::Bit);
   }
 
-  /// The expression with a bit in the place of each comparison.
   Terms bits(const Terms& terms, CellId like) {
-    std::vector<Term> kept;  // from the end
-    for (std::size_t at = terms.size(); at > 0;) {
-      const Term& term = terms[at - 1];
-      if (!is_comparison(term.op)) {
-        kept.push_back(term);
-        --at;
-        continue;
-      }
-      const std::size_t begin = at - term.size;
+    return without_comparisons(terms, [&](Terms comparison) {
       const CellId made = make_like(like);
-      add(Rung::Kind::Compare, made)
-          .word.assign(terms.begin() + static_cast<std::ptrdiff_t>(begin),
-                       terms.begin() + static_cast<std::ptrdiff_t>(at));
-      kept.push_back(read_term(made, Type::Bit)[0]);
-      at = begin;
-    }
-    if (kept.size() == terms.size()) return terms;
-    // The sizes of subtrees, anew.
-    Terms result;
-    for (auto term = kept.rbegin(); term != kept.rend(); ++term) {
-      const bool leaf =
-          term->op == NodeOp::Read || term->op == NodeOp::Constant;
-      if (leaf) {
-        result.push_back(*term);
-      } else {
-        push_operator(result, term->op, term->type,
-                      term->op == NodeOp::Not ? 1 : 2);
-      }
-    }
-    return result;
+      add(Rung::Kind::Compare, made).word = std::move(comparison);
+      return made;
+    });
   }
 
   /// One contact for a condition.
@@ -340,16 +279,8 @@ class RungMaker {
 
   /// A part of a network as the network of a coil; its contact takes its place.
   void take_out(Network& network, std::uint32_t part, CellId like) {
-    Network own = {network[part]};
-    for (std::size_t i = 0; i < own.size(); ++i) {
-      for (std::size_t at = 0; at < own[i].parts.size(); ++at) {
-        Circuit inner = network[own[i].parts[at]];
-        own[i].parts[at] = static_cast<std::uint32_t>(own.size());
-        own.push_back(std::move(inner));
-      }
-    }
     const CellId made = make_like(like);
-    add(Rung::Kind::Coil, made).power = std::move(own);
+    add(Rung::Kind::Coil, made).power = network_at(network, part);
     network[part] = {.kind = Circuit::Kind::Contact, .cell = made};
   }
 

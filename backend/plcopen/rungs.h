@@ -5,6 +5,7 @@
 #include <string_view>
 #include <vector>
 
+#include "backend/unit/contacts.h"
 #include "backend/unit/network.h"
 #include "backend/unit/unit.h"
 
@@ -44,7 +45,7 @@ struct Rung {
   RungId source;
   CellId target;
   Network power;
-  std::string_view storage = "none";  // or "set", "reset"
+  Storage storage = Storage::None;
   Terms word;
   Terms enable;  // Word, Call: a contact or a constant; empty: always
   BlockId block;

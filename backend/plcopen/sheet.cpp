@@ -201,7 +201,7 @@ class Sheet {
     const Circuit& root = rung.power[0];
     const bool constant = root.kind == Kind::Constant;
     const bool never = constant && !root.value;
-    if (never && rung.storage != "none") return;
+    if (never && rung.storage != Storage::None) return;
     const Size size = sizes_of(rung.power)[0];
     const Feed power =
         constant ? Feed{page_.left_rail(row_)} : network(rung.power, {0, row_});
@@ -300,8 +300,8 @@ class Sheet {
     if (unit_.variables[target].type == Type::Word) {
       page_.out_variable(at, name_of(target), {end});
     } else {
-      page_.right_rail(
-          page_.coil({last_, at.row}, name_of(target), false, "none", {end}));
+      page_.right_rail(page_.coil({last_, at.row}, name_of(target), false,
+                                  Storage::None, {end}));
     }
   }
 

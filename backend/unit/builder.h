@@ -75,6 +75,9 @@ class UnitBuilder {
     variable_of_[cell.index()] = variable;
   }
 
+  /// Does a short circuit skip what is written now?
+  bool is_conditional() const { return !open_.empty(); }
+
   /// The call of an element that stands in an expression.
   Terms inline_call(std::string head, const std::vector<Terms>& operands);
   /// A contact as it is; else a made variable that holds the value.

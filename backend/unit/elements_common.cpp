@@ -12,7 +12,9 @@ void MappedElements::declare(UnitBuilder& builder) {
     Use& use = uses_[call.instance.index()];
     use.operations.insert(call.operation->name);
     ++use.calls;
-    if (call.operation->steps()) use.presets.insert(call.parameter);
+    if (!call.operation->steps()) continue;
+    ++use.steps;
+    use.presets.insert(call.parameter);
   }
   for (const InstanceId id : ids_of(program.instances)) {
     declare_instance(builder, program.instances[id], uses_[id.index()]);

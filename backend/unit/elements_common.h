@@ -27,6 +27,7 @@ class MappedElements : public Elements {
     std::set<std::string_view> operations;
     std::set<std::int64_t> presets;
     std::size_t calls = 0;
+    std::size_t steps = 0;   // calls that are no resets
     std::int64_t index = 0;  // where elements have numbers
     BlockId block;           // no value: states alone
     std::map<std::string_view, CellId> pins;

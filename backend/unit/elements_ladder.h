@@ -1,26 +1,29 @@
 #pragma once
 
+#include <cstdint>
+#include <functional>
 #include <memory>
 #include <string>
+#include <string_view>
 
 #include "backend/unit/builder.h"
 
 namespace rung::backend {
 
-/// The timers that a ladder language has. Edges and latches are relays there,
-/// counters are refused.
-struct LadderTimers {
-  /// The element that its reader makes of them: "ton" or "timer-melsec".
-  std::string_view on_delay;
-  /// TOF and TP as well; else an off-delay is an on-delay of its absence.
-  bool all_of_iec = false;
+/// What a ladder language has. Edges and latches are relays there.
+struct LadderBlocks {
+  bool off_delay = false;  // TOF; else the on-delay of its absence
+  bool pulse = false;      // TP
+  /// Counters: CTU and RES for those of the yun dialect, numbers for others.
+  bool counters = false;
+  bool resets = false;       // a timer is reset by RES, and not by a call
   bool plain_input = false;  // one contact
-  bool one_call = false;     // a timer stands in one place
+  bool one_call = false;     // a block stands in one place
   /// Why this preset cannot be; empty: it can.
-  std::string (*refuse)(std::int64_t milliseconds) = nullptr;
+  std::function<std::string(std::int64_t milliseconds)> refuse;
 };
 
-std::unique_ptr<Elements> ladder_elements(const LadderTimers& timers,
+std::unique_ptr<Elements> ladder_elements(LadderBlocks blocks,
                                           std::string_view language);
 
 }  // namespace rung::backend

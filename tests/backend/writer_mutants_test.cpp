@@ -35,6 +35,18 @@ constexpr const char* kTimers =
     "Q2 = TOF(1, 0.3, I3);\n";
 constexpr const char* kKept =
     "Q0 = Q0 || I0 && !I1;\nQ1 = Q1 && !I1;\nQ1 = Q1 || Q0 && I2;\n";
+constexpr const char* kFixed =
+    "//@ scan 10 ms\n"
+    "Q0 = (I0 || Q0) && !I1;\n"
+    "Q1 = T(0, 0.2, Q0 && I2);\n"
+    "Q2 = TOF(0, 0.5, I3) && (I4 || !I5);\n"
+    "Q3 = C(0, 3, I2, false, I1);\n"
+    "Q4 = Q4 || I0 && I3;\n";
+constexpr const char* kFixedYun =
+    "//@ scan 10 ms\n"
+    "y0 = T(0, 0.2, pin2) || TR(0, pin3);\n"
+    "y1 = C(0, 3, pin4);\n"
+    "y2 = CR(0, pin5) || y1 != y0;\n";
 constexpr const char* kEdges =
     "postfix 1\ndialect sim\nevaluation strict\nscan 1..100 ms\n"
     "input bit a\noutput bit q\noutput bit r\nelement E(0) edge\n"
@@ -126,6 +138,25 @@ const Mistake kMistakes[] = {
     // A contact that is no longer before a box, and one at another rail.
     {"plcopen", kSim, "<variable>Q5_1<", "<variable>Q5_2<"},
     {"plcopen", kEdges, "<variable>E_1_last<", "<variable>a<"},
+    // LDmicro.
+    {"ldmicro", kFixed, "CYCLE=10000", "CYCLE=20000"},
+    {"ldmicro", kFixed, "RXI1 1", "RXI1 0"},
+    {"ldmicro", kFixed, "        CONTACTS YQ0 0\n", ""},
+    {"ldmicro", kFixed, "TON T_0 200000 0", "TON T_0 210000 0"},
+    {"ldmicro", kFixed, "TON T_0 200000 0", "TON T_0 200000 -1"},
+    {"ldmicro", kFixed, "TOF TOF_0", "TON TOF_0"},
+    {"ldmicro", kFixed, "EQU NC_0_value 3", "GEQ NC_0_value 3"},
+    {"ldmicro", kFixed, "ADD NC_0_value NC_0_value 1",
+     "ADD NC_0_value NC_0_value 2"},
+    {"ldmicro", kFixed, "COIL YQ4 0 1 0", "COIL YQ4 0 0 0"},
+    {"ldmicro", kFixed, "PARALLEL\n        CONTACTS XI4 0\n        CONTACTS",
+     "PARALLEL\n        CONTACTS YQ0 0\n        CONTACTS"},
+    {"ldmicro", kFixedYun, "TON T_0 210000", "TON T_0 200000"},
+    {"ldmicro", kFixedYun, "CTU C_0 3", "CTU C_0 4"},
+    {"ldmicro", kFixedYun, "RES T_0", "RES C_0"},
+    {"ldmicro", kFixedYun, "COIL RT_0_started 0 1 0",
+     "COIL RT_0_started 0 0 0"},
+    {"ldmicro", kEdges, "COIL RE_1_last 0 0 0", "COIL RE_1_last 1 0 0"},
     // A drawing.
     {"ascii", kBits, "[/]", "[ ]"},
     {"ascii", kBits, "I6", "I5"},
