@@ -9,6 +9,7 @@
 #include "analysis/rule.h"
 #include "app/commands.h"
 #include "app/output.h"
+#include "app/select.h"
 #include "app/session.h"
 #include "app/sweep.h"
 #include "app/version.h"
@@ -16,33 +17,6 @@
 
 namespace rung {
 namespace {
-
-/// Is it `wanted`, or a part of it (`NAME.holds` of `NAME`)?
-bool is_selected(std::string_view name, const std::string& wanted) {
-  return name == wanted ||
-         (name.starts_with(wanted) && name[wanted.size()] == '.');
-}
-
-bool is_selected(std::string_view name,
-                 const std::vector<std::string>& wanted) {
-  return wanted.empty() ||
-         std::any_of(wanted.begin(), wanted.end(), [&](const std::string& one) {
-           return is_selected(name, one);
-         });
-}
-
-/// Keeps the properties that --property names, wholly or in part.
-PropertySet select(PropertySet all, const std::vector<std::string>& wanted) {
-  if (wanted.empty()) return all;
-  std::erase_if(all.properties, [&](const Property& property) {
-    const bool has_wanted_part =
-        std::any_of(wanted.begin(), wanted.end(), [&](const std::string& one) {
-          return is_selected(one, property.name);
-        });
-    return !has_wanted_part && !is_selected(property.name, wanted);
-  });
-  return all;
-}
 
 void lint(const SourceSet& sources, const Program& program, FileReport& report,
           const VerifyOptions& verify_options) {
@@ -73,11 +47,7 @@ void prove(const Program& program, FileReport& report, const Options& options,
            const VerifyOptions& verify_options) {
   report.properties = select(std::move(report.properties), options.properties);
   VerifyOptions some = verify_options;
-  if (!options.properties.empty()) {
-    some.wanted = [&](std::string_view name) {
-      return is_selected(name, options.properties);
-    };
-  }
+  some.wanted = wanted_by(options.properties);
   VerifyReport answer = verify(program, report.properties, some);
   report.results = std::move(answer.results);
   report.failures = std::move(answer.failures);

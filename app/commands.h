@@ -8,6 +8,7 @@ namespace rung {
 int run_check(const Options& options);  // check, lint and prove
 int run_equiv(const Options& options);
 int run_lower(const Options& options);
+int run_export(const Options& options);
 int run_simulation(const Options& options);
 int run_render(const Options& options);
 int run_rule(const Options& options);

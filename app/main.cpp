@@ -19,7 +19,7 @@ struct Command {
 constexpr Command kCommands[] = {
     {"check", run_check},   {"lint", run_check},  {"prove", run_check},
     {"equiv", run_equiv},   {"lower", run_lower}, {"run", run_simulation},
-    {"render", run_render}, {"rule", run_rule},
+    {"render", run_render}, {"rule", run_rule},   {"export", run_export},
 };
 
 int run(int argc, char** argv) {

@@ -250,6 +250,12 @@ void add_commands(CLI::App& app, RawOptions& raw, Options& options) {
   lower->add_option("-o,--output", options.output, "the file to write");
   lower->add_flag("--binary", options.binary,
                   "postfix: the bytes that a controller executes");
+  CLI::App* to_checker = add_command(
+      app, "export", "what is to be proved, for other model checkers");
+  add_files(to_checker, options, 1, 1);
+  to_checker->add_option("--to", options.to, "the format: aiger, btor2, chc")
+      ->required();
+  to_checker->add_option("-o,--output", options.output, "the file to write");
   CLI::App* run = add_command(app, "run", "simulate");
   add_files(run, options, 1, 1);
   run->add_option("--stimulus", options.stimulus, "inputs, scan by scan (CSV)");
@@ -263,8 +269,9 @@ void add_commands(CLI::App& app, RawOptions& raw, Options& options) {
   rule->add_option("CODE", options.rule, "a code or a name; else a list");
 }
 
-constexpr std::string_view kCommandNames[] = {
-    "check", "lint", "prove", "equiv", "lower", "run", "render", "rule"};
+constexpr std::string_view kCommandNames[] = {"check",  "lint",   "prove",
+                                              "equiv",  "lower",  "run",
+                                              "export", "render", "rule"};
 
 /// CLI11 would say that a command is missing, and not which ones there are.
 std::optional<std::string> unknown_command(int argc, char** argv) {

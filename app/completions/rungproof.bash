@@ -3,7 +3,7 @@
 
 _rungproof() {
   local current=${COMP_WORDS[COMP_CWORD]} previous=${COMP_WORDS[COMP_CWORD-1]}
-  local commands="check lint prove equiv lower run render rule"
+  local commands="check lint prove equiv lower export run render rule"
   local common="--help --version --format --scan --semantics --stable-inputs --pou --dialect
     --language --props --timeout --engine --jobs --fail-on --color --quiet
     --verbose --property --self-check --recheck --certificates --map"
@@ -31,7 +31,10 @@ _rungproof() {
     --color) COMPREPLY=($(compgen -W "auto always never" -- "$current")) ;;
     --self-check) COMPREPLY=($(compgen -W "on off" -- "$current")) ;;
     --recheck) COMPREPLY=($(compgen -W "cvc5" -- "$current")) ;;
-    --to) COMPREPLY=($(compgen -W "postfix il-iec st script il-mitsubishi ascii plcopen ldmicro plclib" -- "$current")) ;;
+    --to)
+      local targets="postfix il-iec st script il-mitsubishi ascii plcopen ldmicro plclib"
+      [[ $command == export ]] && targets="aiger btor2 chc"
+      COMPREPLY=($(compgen -W "$targets" -- "$current")) ;;
     --certificates) COMPREPLY=($(compgen -d -- "$current")) ;;
     --scan|--timeout|--jobs|--property|--map|--scans|--dt|--rung|--delay|--git) ;;
     *)
@@ -40,6 +43,7 @@ _rungproof() {
           prove) common+=" --sweep" ;;
           equiv) common+=" --rung --delay --settled --git" ;;
           lower) common+=" --to --output --binary" ;;
+          export) common+=" --to --output" ;;
           run) common+=" --stimulus --scans --dt --out" ;;
           render) common+=" --ascii" ;;
         esac

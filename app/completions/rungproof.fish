@@ -1,12 +1,13 @@
 # fish completion of rungproof; tests/app/manual_test.cpp compares it with the
 # options that the program has.
 
-set -l commands check lint prove equiv lower run render rule
+set -l commands check lint prove equiv lower export run render rule
 complete -c rungproof -f -n "not __fish_seen_subcommand_from $commands" -a check -d 'findings and proofs, one report'
 complete -c rungproof -f -n "not __fish_seen_subcommand_from $commands" -a lint -d 'findings only'
 complete -c rungproof -f -n "not __fish_seen_subcommand_from $commands" -a prove -d 'properties only'
 complete -c rungproof -f -n "not __fish_seen_subcommand_from $commands" -a equiv -d 'are two programs the same?'
 complete -c rungproof -f -n "not __fish_seen_subcommand_from $commands" -a lower -d 'write a program in another language'
+complete -c rungproof -f -n "not __fish_seen_subcommand_from $commands" -a export -d 'what is to be proved, for other model checkers'
 complete -c rungproof -f -n "not __fish_seen_subcommand_from $commands" -a run -d 'simulate'
 complete -c rungproof -f -n "not __fish_seen_subcommand_from $commands" -a render -d 'draw the ladder'
 complete -c rungproof -f -n "not __fish_seen_subcommand_from $commands" -a rule -d 'what a lint rule finds, and why'
@@ -40,6 +41,8 @@ complete -c rungproof -n '__fish_seen_subcommand_from equiv' -l git -x -d 'compa
 complete -c rungproof -n '__fish_seen_subcommand_from lower' -l to -x -a 'postfix il-iec st script il-mitsubishi ascii plcopen ldmicro plclib' -d 'the language'
 complete -c rungproof -n '__fish_seen_subcommand_from lower' -s o -l output -r -F -d 'the file to write'
 complete -c rungproof -n '__fish_seen_subcommand_from lower' -l binary -d 'the bytes that a controller executes'
+complete -c rungproof -n '__fish_seen_subcommand_from export' -l to -x -a 'aiger btor2 chc' -d 'the format'
+complete -c rungproof -n '__fish_seen_subcommand_from export' -s o -l output -r -F -d 'the file to write'
 complete -c rungproof -n '__fish_seen_subcommand_from run' -l stimulus -r -F -d 'inputs, scan by scan (CSV)'
 complete -c rungproof -n '__fish_seen_subcommand_from run' -l scans -x -d 'how many scans'
 complete -c rungproof -n '__fish_seen_subcommand_from run' -l dt -x -d 'ms that a scan takes'

@@ -73,10 +73,11 @@ void add_documented(const std::string& page, std::vector<Example>& examples) {
   }
 }
 
-/// Of docs/properties.md and the pages of the languages.
+/// Of these pages and those of the languages.
 std::vector<Example> documented() {
   std::vector<Example> examples;
   add_documented("docs/properties.md", examples);
+  add_documented("docs/engines.md", examples);
   std::vector<std::string> pages;
   for (const auto& entry :
        std::filesystem::directory_iterator(RUNG_SOURCE_DIR "/docs/languages")) {
