@@ -146,7 +146,9 @@ class LdmicroWriter {
     };
     std::vector<std::string> lines;
     const auto line = [&](std::size_t depth, const std::string& text) {
-      lines.push_back(std::string(depth * 4, ' ') + text);
+      // Lines stay short however deep they stand.
+      constexpr std::size_t kDeepest = 16;
+      lines.push_back(std::string(std::min(depth, kDeepest) * 4, ' ') + text);
     };
     std::vector<Todo> todo = {{}};
     while (!todo.empty()) {

@@ -136,6 +136,16 @@ TEST(WritingLdmicro, LongRowsHaveRelays) {
   EXPECT_EQ(rows, 300U / 15 + 2 + 1);
 }
 
+// Lines are not indented by their depth for ever.
+TEST(WritingLdmicro, IsLinearInTheDepth) {
+  std::string deep = "I0";
+  for (int i = 1; i < 2000; ++i) {
+    deep = "(" + deep + (i % 2 == 0 ? " && I" : " || I") +
+           std::to_string(i % 9) + ")";
+  }
+  EXPECT_LT(written("Q0 = " + deep + ";\n").size(), 600'000U);
+}
+
 TEST(WritingLdmicro, PropertyLinesAndCommentsGoAlong) {
   const std::string text = written(
       "//@ scan 10 ms\n//@ R: never Q0 && s\n//@ always T(0).q -> I0\n"
