@@ -25,6 +25,7 @@ using Status = Target::Status;
 using Values = Ways::Values;
 
 constexpr std::size_t kRegions = 500;
+constexpr std::size_t kFew = 30;
 constexpr std::uint32_t kExtensions = 60;
 constexpr std::uint32_t kShallow = 8;  // steps of the first searches
 constexpr std::int64_t kConflicts = 2000;
@@ -32,10 +33,12 @@ constexpr std::uint32_t kMinimiseQueries = 300;
 constexpr const char* kInexact =
     "a number in it may leave the range in which it is exact";
 
-class Recoverer {
+}  // namespace
+
+class RecoverySearch::Impl {
  public:
-  Recoverer(TransitionSystem& ts, const std::vector<ExprId>& growth,
-            ExprId goal, const PortfolioOptions& options)
+  Impl(TransitionSystem& ts, const std::vector<ExprId>& growth, ExprId goal,
+       const PortfolioOptions& options)
       : ts_(ts),
         growth_(growth),
         goal_(goal),
@@ -50,18 +53,22 @@ class Recoverer {
     }
   }
 
-  Recovery decide() {
+  Recovery decide(Patience patience) {
+    patience_ = patience;
     if (cone_.circuit().overflow()) {
       return unknown("a number in it has no bound that fits 62 bits");
     }
-    search_ = std::make_unique<BoundedSearch>(cone_, &jump_, fault_,
-                                              *options_.deadline);
-    while (ways_.regions().size() < kRegions) {
+    if (search_ == nullptr) {
+      search_ = std::make_unique<BoundedSearch>(cone_, &jump_, fault_,
+                                                *options_.deadline);
+    }
+    const std::size_t most = patience == Patience::Short ? kFew : kRegions;
+    while (ways_.regions().size() < most) {
       if (options_.deadline->passed()) return unknown("out of time");
       const std::optional<Recovery> answer = one_round();
       if (answer) return *answer;
     }
-    return unknown("more than " + std::to_string(kRegions) +
+    return unknown("more than " + std::to_string(most) +
                    " places to be told apart lead there");
   }
 
@@ -109,7 +116,9 @@ class Recoverer {
   /// Ways from states that perhaps no run reaches: the more states have one,
   /// the less has to be known of the others. What is left out cannot get back.
   void extend() {
-    for (; extended_ < kExtensions; ++extended_) {
+    const std::uint32_t most =
+        patience_ == Patience::Short ? kExtensions / 4 : kExtensions;
+    for (; extended_ < most; ++extended_) {
       const std::optional<Values> state = ways_.any_outside();
       if (!state) return;
       if (ways_.step_from(*state) || search_way(*state)) continue;
@@ -147,7 +156,7 @@ class Recoverer {
     std::vector<Target> targets = with_faults({target(
         ts_.exprs.negation(ways_.arrived()), Target::Purpose::Violation)});
     Portfolio portfolio(ts_, growth_, pointers(targets), options_);
-    portfolio.run();
+    ask(portfolio);
     switch (targets[0].status) {
       case Status::Unreachable:
         if (any_open_fault(targets)) return unknown(kInexact);
@@ -250,9 +259,10 @@ class Recoverer {
     std::vector<Target> targets =
         with_faults({target(goal_, Target::Purpose::Violation),
                      target(ways_.arrived(), Target::Purpose::Violation)});
-    for (Target& target : targets) target.hidden = true;
+    // What is only sketched keeps no run of what is hidden.
+    for (Target& target : targets) target.hidden = patience_ == Patience::Long;
     Portfolio portfolio(ts_, growth_, pointers(targets), options_);
-    portfolio.run();
+    ask(portfolio);
     if (targets[0].status == Status::Unreachable) {
       if (any_open_fault(targets)) return unknown(kInexact);
       Recovery result;
@@ -296,6 +306,14 @@ class Recoverer {
     });
   }
 
+  void ask(Portfolio& portfolio) const {
+    if (patience_ == Patience::Long) {
+      portfolio.run();
+    } else {
+      portfolio.sketch();
+    }
+  }
+
   static std::vector<Target*> pointers(std::vector<Target>& targets) {
     std::vector<Target*> result;
     result.reserve(targets.size());
@@ -307,6 +325,7 @@ class Recoverer {
   const std::vector<ExprId>& growth_;
   ExprId goal_;
   PortfolioOptions options_;
+  Patience patience_ = Patience::Short;
   std::vector<ExprId> faults_;
   Cone cone_;
   JumpCircuit jump_;
@@ -318,11 +337,14 @@ class Recoverer {
   std::string engine_;
 };
 
-}  // namespace
+RecoverySearch::RecoverySearch(TransitionSystem& ts,
+                               const std::vector<ExprId>& growth, ExprId goal,
+                               const PortfolioOptions& options)
+    : impl_(std::make_unique<Impl>(ts, growth, goal, options)) {}
+RecoverySearch::~RecoverySearch() = default;
 
-Recovery recover(TransitionSystem& ts, const std::vector<ExprId>& growth,
-                 ExprId goal, const PortfolioOptions& options) {
-  return Recoverer(ts, growth, goal, options).decide();
+Recovery RecoverySearch::decide(Patience patience) {
+  return impl_->decide(patience);
 }
 
 }  // namespace rung

@@ -1,8 +1,8 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "smt/invariant.h"
@@ -29,6 +29,9 @@ struct Recovery {
   std::string engine;
 };
 
+/// How long engines are asked.
+enum class Patience : std::uint8_t { Short, Long };
+
 /// Collects regions from which there is a way to the goal, and asks whether
 /// every scan ends in one. A run that does not ends in a state from which
 /// either a way is found, which makes one more region, or none exists, which
@@ -36,7 +39,20 @@ struct Recovery {
 ///
 /// `goal` is a term of a scan's end. Effort is counted in queries and
 /// conflicts; the deadline is the outer limit.
-Recovery recover(TransitionSystem& ts, const std::vector<ExprId>& growth,
+class RecoverySearch {
+ public:
+  RecoverySearch(TransitionSystem& ts, const std::vector<ExprId>& growth,
                  ExprId goal, const PortfolioOptions& options);
+  ~RecoverySearch();
+  RecoverySearch(const RecoverySearch&) = delete;
+  RecoverySearch& operator=(const RecoverySearch&) = delete;
+
+  /// After Unknown it may be asked again: the regions found are kept.
+  Recovery decide(Patience patience);
+
+ private:
+  class Impl;
+  std::unique_ptr<Impl> impl_;
+};
 
 }  // namespace rung

@@ -27,6 +27,13 @@ bool is_wider_than_program(const TransitionSystem& ts, ExprId goal) {
   });
 }
 
+using Clock = std::chrono::steady_clock;
+
+double milliseconds_since(Clock::time_point start) {
+  return std::chrono::duration<double, std::milli>(Clock::now() - start)
+      .count();
+}
+
 std::vector<std::string> lemmas_of(const TransitionSystem& ts,
                                    const Recovery& recovery) {
   std::vector<std::string> lemmas;
@@ -44,18 +51,34 @@ CertificateOptions RecoveryAnswers::certificate_options(
           obligation.name};
 }
 
-CheckedAnswer RecoveryAnswers::decide(const Obligation& obligation,
-                                      const std::vector<ExprId>& growth,
-                                      const PortfolioOptions& engines) {
-  const auto start = std::chrono::steady_clock::now();
-  auto found = decided_.find(obligation.condition);
-  if (found == decided_.end()) {
-    found = decided_
-                .emplace(obligation.condition,
-                         recover(ts_, growth, obligation.condition, engines))
-                .first;
+void RecoveryAnswers::search(const std::vector<ExprId>& goals,
+                             const std::vector<ExprId>& growth,
+                             const PortfolioOptions& engines) {
+  for (const Patience patience : {Patience::Short, Patience::Long}) {
+    for (const ExprId goal : goals) {
+      Decided& one = decided_[goal];
+      const bool is_new = !one.asked || *one.asked < patience;
+      const bool is_open = one.recovery.answer == Recovery::Answer::Unknown;
+      if (!is_open || !is_new) continue;
+      const Clock::time_point start = Clock::now();
+      if (one.search == nullptr) {
+        one.search =
+            std::make_unique<RecoverySearch>(ts_, growth, goal, engines);
+      }
+      one.asked = patience;
+      one.recovery = one.search->decide(patience);
+      one.milliseconds += milliseconds_since(start);
+      const bool keep = one.recovery.answer == Recovery::Answer::Unknown &&
+                        patience == Patience::Short;
+      if (!keep) one.search.reset();
+    }
   }
-  Recovery recovery = found->second;
+}
+
+CheckedAnswer RecoveryAnswers::answer(const Obligation& obligation) {
+  const Clock::time_point start = Clock::now();
+  const Decided& decided = decided_.at(obligation.condition);
+  Recovery recovery = decided.recovery;
   if (options_.inject_wrong_invariant) corrupt(recovery);
   CheckedAnswer answer;
   answer.result.obligation = obligation;
@@ -71,9 +94,7 @@ CheckedAnswer RecoveryAnswers::decide(const Obligation& obligation,
       answer.result.reason = recovery.reason;
       break;
   }
-  answer.result.milliseconds = std::chrono::duration<double, std::milli>(
-                                   std::chrono::steady_clock::now() - start)
-                                   .count();
+  answer.result.milliseconds = decided.milliseconds + milliseconds_since(start);
   return answer;
 }
 

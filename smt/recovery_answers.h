@@ -1,6 +1,8 @@
 #pragma once
 
 #include <map>
+#include <memory>
+#include <optional>
 #include <vector>
 
 #include "smt/certificate.h"
@@ -21,11 +23,23 @@ class RecoveryAnswers {
         ts_(ts),
         options_(options) {}
 
-  CheckedAnswer decide(const Obligation& obligation,
-                       const std::vector<ExprId>& growth,
-                       const PortfolioOptions& engines);
+  /// Searches for all of them: first what is quick, so that one that is hard
+  /// takes no time from the others.
+  void search(const std::vector<ExprId>& goals,
+              const std::vector<ExprId>& growth,
+              const PortfolioOptions& engines);
+
+  /// Of an obligation whose condition was among the goals.
+  CheckedAnswer answer(const Obligation& obligation);
 
  private:
+  struct Decided {
+    Recovery recovery;
+    std::unique_ptr<RecoverySearch> search;  // while there is more to ask
+    std::optional<Patience> asked;           // of the last answer
+    double milliseconds = 0;
+  };
+
   void conclude_recoverable(const Recovery& recovery, CheckedAnswer& answer);
   void conclude_stuck(const Recovery& recovery, CheckedAnswer& answer);
   bool is_accepted(const CertificateReport& report, CheckedAnswer& answer);
@@ -36,7 +50,7 @@ class RecoveryAnswers {
   TransitionSystem& ts_;
   const VerifyOptions& options_;
   CertificateSession session_;
-  std::map<ExprId, Recovery> decided_;  // by goal
+  std::map<ExprId, Decided> decided_;  // by goal
 };
 
 }  // namespace rung

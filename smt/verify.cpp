@@ -272,13 +272,20 @@ class Verifier {
   }
 
   void recover_all() {
+    std::vector<ExprId> goals;
+    for (const Obligation& obligation : questions_.obligations) {
+      if (obligation.goal == Goal::Recover) {
+        goals.push_back(obligation.condition);
+      }
+    }
+    if (goals.empty()) return;
+    if (options_.progress) options_.progress("proving: ways back");
     RecoveryAnswers answers(program_, properties_, ts_, options_);
+    answers.search(goals, growth_, portfolio_options());
     for (std::size_t i = 0; i < questions_.obligations.size(); ++i) {
       const Obligation& obligation = questions_.obligations[i];
       if (obligation.goal != Goal::Recover) continue;
-      if (options_.progress) options_.progress("proving: " + obligation.name);
-      verdicts_.answered(
-          i, answers.decide(obligation, growth_, portfolio_options()));
+      verdicts_.answered(i, answers.answer(obligation));
     }
   }
 

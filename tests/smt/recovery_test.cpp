@@ -20,7 +20,8 @@ using Answer = Recovery::Answer;
 Recovery decide(System& s, ExprId goal) {
   const Deadline deadline(60);
   const std::vector<ExprId> growth = growth_terms(s.ts);
-  return recover(s.ts, growth, goal, {"", 60, &deadline});
+  return RecoverySearch(s.ts, growth, goal, {"", 60, &deadline})
+      .decide(Patience::Long);
 }
 
 CertificateReport check(System& s, ExprId goal, const Recovery& recovery) {
