@@ -7,7 +7,7 @@
 //     --- stdout       (stderr: only where the case has such a section)
 //     --- written x.json     (a file that the command leaves)
 //
-// Times, versions, engines and lemmas are left out of the comparison.
+// Times, versions, engines, lemmas and ways are left out of the comparison.
 //
 // refused.txt has a command line a row that must end in exit status 2, and what
 // it must say; refused inputs are in bad.txt in the same way.
@@ -85,7 +85,8 @@ std::string steady(std::string text) {
       {std::regex(R"re(("checked_by": ?)\[[^\]]*\])re"), "$1C"},
       {std::regex(R"re( time="[0-9.]+")re"), " time=\"T\""},
       {std::regex(R"((\n    by )[^\n]*)"), "$1E, T ms"},
-      {std::regex(R"(\n    invariant: [^\n]*)"), ""},
+      {std::regex(R"re(("ways": ?)\[[^\]]*\])re"), "$1W"},
+      {std::regex(R"(\n    (invariant|way): [^\n]*)"), ""},
       {std::regex(R"((, by )[^\n]*)"), "$1E"},
       {std::regex(R"((z3|cadical) [0-9a-z.]+)"), "$1 V"},
   };
