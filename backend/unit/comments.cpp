@@ -40,6 +40,36 @@ bool is_word(char c) {
 
 }  // namespace
 
+std::vector<std::size_t> dotted_ends(std::string_view text, std::size_t end) {
+  constexpr std::size_t kMost = 3;  // so this is linear
+  std::vector<std::size_t> ends;
+  while (ends.size() < kMost && end + 1 < text.size() && text[end] == '.' &&
+         is_word(text[end + 1])) {
+    ++end;
+    while (end < text.size() && is_word(text[end])) ++end;
+    ends.push_back(end);
+  }
+  return ends;
+}
+
+std::vector<std::string_view> names_in(std::string_view text) {
+  std::vector<std::string_view> names;
+  for (std::size_t at = 0; at < text.size();) {
+    std::size_t end = at;
+    while (end < text.size() && is_word(text[end])) ++end;
+    if (end == at) {
+      ++at;
+      continue;
+    }
+    names.push_back(text.substr(at, end - at));
+    for (const std::size_t longer : dotted_ends(text, end)) {
+      names.push_back(text.substr(at, longer - at));
+    }
+    at = end;
+  }
+  return names;
+}
+
 RungComments place_comments(const Program& program, const SourceSet& sources) {
   RungComments placed;
   placed.before.resize(program.rungs.size());
@@ -103,8 +133,14 @@ PropertyLines carry_properties(
         line += text[at++];
         continue;
       }
+      auto found = names.find(text.substr(at, end - at));
+      for (const std::size_t longer : dotted_ends(text, end)) {
+        const auto other = names.find(text.substr(at, longer - at));
+        if (other == names.end()) continue;
+        found = other;
+        end = longer;
+      }
       const std::string_view word = text.substr(at, end - at);
-      const auto found = names.find(word);
       line += found == names.end() ? word : found->second;
       at = end;
     }

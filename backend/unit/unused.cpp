@@ -2,6 +2,10 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <string_view>
+#include <unordered_map>
+
+#include "backend/unit/comments.h"
 
 namespace rung::backend {
 namespace {
@@ -38,6 +42,17 @@ Unused find_unused(const Program& program) {
     for_reads(program, rung, [&](CellId cell) { ++reads[cell.index()]; });
     writers[rung.target.index()].push_back(id);
     if (executes(program, rung)) kept[rung.target.index()] = true;
+  }
+  // What a property line speaks of.
+  std::unordered_map<std::string_view, CellId> made;
+  for (const CellId id : ids_of(program.cells)) {
+    if (program.cells[id].made) made.emplace(program.cells[id].name, id);
+  }
+  for (const AstAnnotation& line : program.annotations) {
+    for (const std::string_view name : names_in(line.text)) {
+      const auto found = made.find(name);
+      if (found != made.end()) kept[found->second.index()] = true;
+    }
   }
   std::vector<CellId> open;
   const auto look = [&](CellId id) {

@@ -204,7 +204,7 @@ void Machine::note(std::string_view name, Range range, CType type) {
   if (!is_new && place->second.contains(range)) return;
   place->second.join(range);
   if (is_new) return;
-  if (estimates_.pass >= kWideningPass) {
+  if (estimates_.pass >= kWideningPass && !place->second.is_bit()) {
     place->second.join(range_of(type, reading_.int_bits()));
   }
   estimates_.grown = true;
@@ -217,7 +217,12 @@ Range Machine::estimate(std::string_view name, const Variable& variable) const {
     return range_of(variable.type, reading_.int_bits());
   }
   const auto found = estimates_.ranges.find(name);
-  return found == estimates_.ranges.end() ? Range{} : found->second;
+  const Range range =
+      found == estimates_.ranges.end() ? Range{} : found->second;
+  // So a long chain of bits, as of a shift register, needs no pass for each.
+  const bool chained = estimates_.pass >= kWideningPass && range.is_bit() &&
+                       estimates_.assigned.contains(name);
+  return chained ? Range{0, 1} : range;
 }
 
 /// A `long` is a number, whatever it may hold.
@@ -435,6 +440,7 @@ void Machine::assign(std::string_view name, Value value, SourceRange where) {
     return fail("RP055", where,
                 "a value that is not constant in setup() is not supported");
   }
+  estimates_.assigned.insert(name);
   write(name, is_word(name, variable), std::move(*converted), where);
 }
 

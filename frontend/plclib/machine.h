@@ -27,6 +27,7 @@ struct Reading {
 /// may hold. A pass that learns nothing new is the last.
 struct Estimates {
   std::unordered_map<std::string_view, Range> ranges;
+  std::unordered_set<std::string_view> assigned;  // variables, in loop()
   std::unordered_set<std::string> written_pins;
   std::unordered_set<std::string> shifts;  // edge memories that calls use
   int pass = 0;

@@ -68,11 +68,9 @@ TEST(WritingSketches, ACompilerTakesThem) {
   }
   out.close();
   EXPECT_GT(count, 40U);
-  const std::string command = std::string(RUNG_CXX) +
-                              " -std=c++11 -fsyntax-only -Wall -Wextra " +
-                              "-Werror -I " RUNG_SOURCE_DIR
-                              "/tests/backend/sketch " +
-                              path.string();
+  const std::string command =
+      std::string(RUNG_CXX) + " -std=c++11 -fsyntax-only -Wall -Wextra " +
+      "-Werror -I " RUNG_SOURCE_DIR "/tests/backend/sketch " + path.string();
   EXPECT_EQ(std::system(command.c_str()), 0) << command;
 }
 
@@ -111,6 +109,15 @@ TEST(WritingSketches, SamplesOfASketchAreSamplesAgain) {
                        "  X0_2_now = digitalRead(X0);\n"))
       << text;
   EXPECT_TRUE(contains(text, "timerPulse(T, 200);")) << text;
+}
+
+TEST(WritingSketches, AShiftRegisterIsAChainOfBits) {
+  const std::string text = sketch(
+      "#include <plcLib.h>\nShift s(0x8000);\nvoid setup() { setupPLC(); }\n"
+      "void loop() { in(X1); s.inputBit(); in(X0); s.shiftRight();\n"
+      "  s.bitValue(0); out(Y0); }\n",
+      "plclib");
+  EXPECT_TRUE(contains(text, "out(s_b15);")) << text;
 }
 
 TEST(WritingSketches, AnOutputThatNothingWritesKeepsItsValue) {

@@ -123,6 +123,13 @@ TEST(WritingIec, PropertyLinesGoAlong) {
   EXPECT_FALSE(contains(text, "language")) << text;
 }
 
+TEST(WritingIec, PropertyLinesOfMadeCellsGoAlong) {
+  const std::string list =
+      "\tL DW#16#2\n\tL DW#16#1\n\t__ASSERT== __ACCU 1, DW#16#1\n";
+  const std::string text = written("st", list, "stl");
+  EXPECT_TRUE(contains(text, "always assert_")) << text;
+}
+
 // --- refusals ----------------------------------------------------------------
 
 TEST(WritingIec, RefusesWhatDoesNotFit) {
