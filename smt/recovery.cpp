@@ -190,8 +190,23 @@ class RecoverySearch::Impl {
       return unknown("the engines disagree about a state");
     }
     if (ways_.step_from(state) || search_way(state)) return std::nullopt;
+    if (!ends_in(run, state)) {
+      return unknown("the run found into a trap is none, scan by scan");
+    }
     std::optional<Recovery> stuck = trapped(run, state);
     return stuck ? stuck : decide_from(run, state);
+  }
+
+  /// Where a stretch may not be what one long scan is, it is executed.
+  bool ends_in(const FoundRun& run, const Values& state) const {
+    if (jump_.exact()) return true;
+    std::vector<ExprId> terms = roots();
+    terms.insert(terms.end(), ts_.constraints.begin(), ts_.constraints.end());
+    Interpreter scans(ts_, terms);
+    if (!run_terms(ts_, to_stimulus(ts_, run), scans)) return false;
+    return std::all_of(
+        cone_.states().begin(), cone_.states().end(),
+        [&](std::uint32_t i) { return scans.state(i) == state[i]; });
   }
 
   /// The run's steps with the inputs of our cone.
