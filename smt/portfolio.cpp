@@ -276,27 +276,34 @@ void Portfolio::correspond() {
 /// From what is cheap and often enough to all there is. The last round of each
 /// reach is for what a scan hands on by the next one only: a phase begins, and
 /// its timer a scan later.
-void Portfolio::guess_lemmas() {
+void Portfolio::guess_lemmas(Effort effort) {
   using Constants = Templates::Constants;
   struct Round {
     Templates::Reach reach;
     Constants constants;
     std::uint32_t k;
   };
-  static constexpr Round kRounds[] = {
+  static constexpr Round kEarly[] = {
       {Templates::Reach::Near, Constants::Alone, 0},
       {Templates::Reach::Near, Constants::Pairs, 0},
+  };
+  static constexpr Round kLate[] = {
       {Templates::Reach::Near, Constants::Alone, 1},
       {Templates::Reach::Far, Constants::Alone, 0},
       {Templates::Reach::Far, Constants::Pairs, 0},
       {Templates::Reach::Far, Constants::Alone, 1},
   };
   if (templates_ == nullptr) return;
-  for (const Round& round : kRounds) {
-    if (!any_doubtful() || out_of_time()) break;
+  const auto go = [&](const Round& round) {
+    if (!any_doubtful() || out_of_time()) return;
     learn(guesses(round.constants, round.reach), round.k, true, {});
     if (round.constants == Constants::Pairs) correspond();
+  };
+  if (effort == Effort::Little) {
+    for (const Round& round : kEarly) go(round);
+    return;
   }
+  for (const Round& round : kLate) go(round);
   templates_.reset();
 }
 
@@ -444,12 +451,13 @@ void Portfolio::run() {
   if (uses("simulation")) take_hits(Sought::Hidden, 0);
   if (uses("induction") && any_doubtful()) correspond();
   if (uses("bmc")) search(Sought::Shown, 8, 2000);
+  if (uses("induction") && any_doubtful()) guess_lemmas(Effort::Little);
   if (uses("bmc")) search(Sought::Shown, options_.max_depth, 500);
   if (uses("simulation")) take_hits(Sought::Shown, 0);
   if (uses("bmc")) search_hidden(8, 2000);
   if (uses("bmc")) search_hidden(24, 2000);
   if (uses("pdr") && any_doubtful()) property_directed({500, 1000});
-  if (uses("induction") && any_doubtful()) guess_lemmas();
+  if (uses("induction") && any_doubtful()) guess_lemmas(Effort::Much);
   if (uses("pdr") && any_doubtful()) property_directed({5000, 5000});
   for (std::uint32_t k = 1; uses("induction") && k <= 8; ++k) {
     if (any_doubtful() && !out_of_time()) induction(k, true, {5000, 1000});

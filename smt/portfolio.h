@@ -62,7 +62,8 @@ class Portfolio {
   std::vector<Candidate> guesses(Templates::Constants constants,
                                  Templates::Reach reach);
   void correspond();
-  void guess_lemmas();
+  enum class Effort : std::uint8_t { Little, Much };
+  void guess_lemmas(Effort effort);
   void learn(std::vector<Candidate> lemmas, std::uint32_t k, bool all,
              const InductionLimits& limits);
   void property_directed(const PdrLimits& limits);
