@@ -1,0 +1,10 @@
+# All targets of a directory and of those below it.
+function(rung_targets_below directory result)
+  get_property(found DIRECTORY ${directory} PROPERTY BUILDSYSTEM_TARGETS)
+  get_property(below DIRECTORY ${directory} PROPERTY SUBDIRECTORIES)
+  foreach(child IN LISTS below)
+    rung_targets_below(${child} more)
+    list(APPEND found ${more})
+  endforeach()
+  set(${result} ${found} PARENT_SCOPE)
+endfunction()
