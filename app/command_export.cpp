@@ -34,6 +34,7 @@ const Format* find_format(const std::string& name) {
 
 std::string unknown_format(const Options& options) {
   std::vector<std::string_view> names;
+  names.reserve(kFormats.size());
   for (const Format& format : kFormats) names.push_back(format.name);
   return fmt::format("--to: there is no format `{}`{}", options.to,
                      did_you_mean(options.to, names));
