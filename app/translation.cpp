@@ -162,13 +162,16 @@ Validation validate_written(const Program& source,
   Loaded loaded = load({file, "what was written", {}}, reading, {}, sources);
   if (!loaded.program) {
     std::string error;
+    int status = kExitInternal;
     for (const Diagnostic& item : loaded.report.findings) {
       if (item.severity != Severity::Error || !error.empty()) continue;
+      // A limit of the reader's, and nothing wrong with the text.
+      if (item.code == "RP050") status = kExitUsage;
       error = fmt::format("line {}: {}",
                           sources[file].position(item.where.begin).line,
                           item.message);
     }
-    return {kExitInternal, "it cannot be read back: " + error, ""};
+    return {status, "it cannot be read back: " + error, ""};
   }
   // A text may say itself how long its scans take.
   const ScanInterval own = loaded.program->scan;
