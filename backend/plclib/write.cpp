@@ -136,9 +136,9 @@ class SketchWriter {
     std::string text;
     for (const CellId id : pins_) {
       const Variable& variable = unit_.variables[id];
-      text += with_source("const int " + variable.name + " = " +
-                              wiring_.pins[id.index()] + ";",
-                          variable.name, variable.source);
+      text += with_source(
+          "const int " + variable.name + " = " + wiring_.pins[id.index()] + ";",
+          variable.name, variable.source);
     }
     return text;
   }
