@@ -70,9 +70,10 @@ class Houdini {
   /// Drops items that fail until none does; false when a limit was reached.
   bool settle(std::vector<Item>& items, const InductionLimits& limits) {
     std::size_t shown = 0;  // items before this one follow from the rest
+    std::size_t batch = kBatch;
     for (std::uint32_t round = 0; round < limits.rounds;) {
       std::vector<int> some_fails;
-      const std::size_t next = next_batch(items, shown, some_fails);
+      const std::size_t next = next_batch(items, shown, batch, some_fails);
       if (some_fails.empty()) return true;
       for (const Item& item : items) {
         if (item.alive && item.active != 0) sat_.assume(item.active);
@@ -83,7 +84,9 @@ class Houdini {
           shown = next;
           break;
         case SatAnswer::Unknown:
-          return false;
+          if (batch == kSmallBatch) return false;
+          batch = kSmallBatch;
+          break;
         case SatAnswer::Sat:
           drop_failing(items);
           shown = 0;  // what was shown may have rested on them
@@ -98,10 +101,12 @@ class Houdini {
   // A few goals a query: refuting thousands at once takes one solver run
   // through all of the formula for each of them.
   static constexpr std::size_t kBatch = 64;
+  static constexpr std::size_t kSmallBatch = 16;  // once that was too hard
 
   static std::size_t next_batch(const std::vector<Item>& items,
-                                std::size_t from, std::vector<int>& fails) {
-    for (; from < items.size() && fails.size() < kBatch; ++from) {
+                                std::size_t from, std::size_t most,
+                                std::vector<int>& fails) {
+    for (; from < items.size() && fails.size() < most; ++from) {
       const Item& item = items[from];
       const bool trivial = item.goal_signal == kAigTrue;
       if (item.alive && !trivial) fails.push_back(-item.goal);
