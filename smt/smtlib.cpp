@@ -256,35 +256,11 @@ class ScriptWriter {
   }
 
   std::string written(const Expr& e) {
-    switch (e.op) {
-      case ExprOp::Constant:
-        if (e.type == Type::Word) return number(e.value);
-        return e.value != 0 ? "true" : "false";
-      case ExprOp::Variable:
-        break;  // declared with the frame
-      case ExprOp::Not:
-        return call("not", text(e.a));
-      case ExprOp::And:
-        return call("and", text(e.a), text(e.b));
-      case ExprOp::Xor:
-        return call("xor", text(e.a), text(e.b));
-      case ExprOp::Equal:
-        return call("=", text(e.a), text(e.b));
-      case ExprOp::Less:
-        return call("<", text(e.a), text(e.b));
-      case ExprOp::Add:
-        return call("+", text(e.a), text(e.b));
-      case ExprOp::Multiply:
-        return call("*", text(e.a), text(e.b));
-      case ExprOp::Divide:
-        return smtlib::divided(text(e.a), expr(e.b).value);
-      case ExprOp::Wrap16:
-        return smtlib::wrapped16(text(e.a));
-      case ExprOp::Ite:
-        return call("ite", text(e.a), text(e.b), text(e.c));
-    }
-    assert(false);
-    return {};
+    static const std::string kNone;
+    const auto operand = [&](ExprId id) -> const std::string& {
+      return id.has_value() ? text(id) : kNone;
+    };
+    return smtlib::term(ts_.exprs, e, operand(e.a), operand(e.b), operand(e.c));
   }
 
   // --- claims ----------------------------------------------------------------

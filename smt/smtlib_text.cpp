@@ -43,6 +43,39 @@ std::string wrapped16(const std::string& a) {
   return "(- (mod (+ " + a + " 32768) 65536) 32768)";
 }
 
+std::string term(const ExprArena& exprs, const Expr& e, const std::string& a,
+                 const std::string& b, const std::string& c) {
+  switch (e.op) {
+    case ExprOp::Constant:
+      if (e.type == Type::Word) return number(e.value);
+      return e.value != 0 ? "true" : "false";
+    case ExprOp::Not:
+      return call("not", a);
+    case ExprOp::And:
+      return call("and", a, b);
+    case ExprOp::Xor:
+      return call("xor", a, b);
+    case ExprOp::Equal:
+      return call("=", a, b);
+    case ExprOp::Less:
+      return call("<", a, b);
+    case ExprOp::Add:
+      return call("+", a, b);
+    case ExprOp::Multiply:
+      return call("*", a, b);
+    case ExprOp::Divide:
+      return divided(a, exprs[e.b].value);
+    case ExprOp::Wrap16:
+      return wrapped16(a);
+    case ExprOp::Ite:
+      return call("ite", a, b, c);
+    case ExprOp::Variable:
+      break;
+  }
+  assert(false);
+  return {};
+}
+
 std::string printable(std::string text) {
   for (char& c : text) {
     if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) c = '?';

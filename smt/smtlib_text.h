@@ -5,6 +5,8 @@
 #include <string_view>
 #include <vector>
 
+#include "analysis/expr.h"
+
 /// Terms of SMT-LIB 2 as text, made of the texts of their operands.
 namespace rung::smtlib {
 
@@ -22,6 +24,11 @@ std::string chain(std::string_view op, std::string_view neutral,
 std::string divided(const std::string& a, std::int64_t divisor);
 
 std::string wrapped16(const std::string& a);
+
+/// A term over the texts of its operands, empty where it has none.
+/// Precondition: it is no variable; those have names.
+std::string term(const ExprArena& exprs, const Expr& e, const std::string& a,
+                 const std::string& b, const std::string& c);
 
 /// Comments hold names from the input: nothing there may end the line.
 std::string printable(std::string text);

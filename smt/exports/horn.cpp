@@ -102,31 +102,11 @@ class HornWriter {
   }
 
   std::string written(const Expr& e) const {
-    switch (e.op) {
-      case ExprOp::And:
-        return call("and", text(e.a), text(e.b));
-      case ExprOp::Xor:
-        return call("xor", text(e.a), text(e.b));
-      case ExprOp::Equal:
-        return call("=", text(e.a), text(e.b));
-      case ExprOp::Less:
-        return call("<", text(e.a), text(e.b));
-      case ExprOp::Add:
-        return call("+", text(e.a), text(e.b));
-      case ExprOp::Multiply:
-        return call("*", text(e.a), text(e.b));
-      case ExprOp::Divide:
-        return smtlib::divided(text(e.a), ts_.exprs[e.b].value);
-      case ExprOp::Wrap16:
-        return smtlib::wrapped16(text(e.a));
-      case ExprOp::Ite:
-        return call("ite", text(e.a), text(e.b), text(e.c));
-      case ExprOp::Constant:
-      case ExprOp::Variable:
-      case ExprOp::Not:
-        break;
-    }
-    return {};
+    static const std::string kNone;
+    const auto operand = [&](ExprId id) -> const std::string& {
+      return id.has_value() ? text(id) : kNone;
+    };
+    return smtlib::term(ts_.exprs, e, operand(e.a), operand(e.b), operand(e.c));
   }
 
   const TransitionSystem& ts_;
