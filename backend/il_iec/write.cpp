@@ -11,38 +11,6 @@ namespace rung {
 namespace backend {
 namespace {
 
-std::string_view mnemonic(NodeOp op) {
-  switch (op) {
-    case NodeOp::And:
-      return "AND";
-    case NodeOp::Or:
-      return "OR";
-    case NodeOp::Xor:
-      return "XOR";
-    case NodeOp::Equal:
-      return "EQ";
-    case NodeOp::NotEqual:
-      return "NE";
-    case NodeOp::Less:
-      return "LT";
-    case NodeOp::LessEqual:
-      return "LE";
-    case NodeOp::Greater:
-      return "GT";
-    case NodeOp::GreaterEqual:
-      return "GE";
-    case NodeOp::Add:
-      return "ADD";
-    case NodeOp::Subtract:
-    case NodeOp::Negate:
-      return "SUB";
-    case NodeOp::Multiply:
-      return "MUL";
-    default:
-      return "DIV";
-  }
-}
-
 bool is_leaf(const Term& term) {
   return term.op == NodeOp::Constant || term.op == NodeOp::Read;
 }
@@ -181,7 +149,7 @@ class IlWriter {
 
   /// The operator at `at` with its last operand.
   void join(std::size_t at) {
-    std::string code(mnemonic((*terms_)[at].op));
+    std::string code(iec_function((*terms_)[at].op));
     const Term& right = (*terms_)[at - 1];
     if (is_leaf(right)) return line(code, operand(right));
     const bool logic = code == "AND" || code == "OR" || code == "XOR";

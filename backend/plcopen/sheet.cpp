@@ -37,31 +37,6 @@ std::vector<Size> sizes_of(const Network& network) {
   return sizes;
 }
 
-std::string_view function_of(NodeOp op) {
-  switch (op) {
-    case NodeOp::Equal:
-      return "EQ";
-    case NodeOp::NotEqual:
-      return "NE";
-    case NodeOp::Less:
-      return "LT";
-    case NodeOp::LessEqual:
-      return "LE";
-    case NodeOp::Greater:
-      return "GT";
-    case NodeOp::GreaterEqual:
-      return "GE";
-    case NodeOp::Add:
-      return "ADD";
-    case NodeOp::Multiply:
-      return "MUL";
-    case NodeOp::Divide:
-      return "DIV";
-    default:
-      return "SUB";  // a negation, too
-  }
-}
-
 /// An expression of numbers as boxes: operands stand to the left of theirs.
 struct Tree {
   struct Part {
@@ -345,7 +320,7 @@ class Sheet {
         pin = "IN2";
       }
       ends.push_back(
-          function(part.at, function_of(rung.word[i].op), enable, pins));
+          function(part.at, iec_function(rung.word[i].op), enable, pins));
     }
     End end = ends.back();
     Cell at = tree.parts.back().at;

@@ -61,6 +61,38 @@ std::string iec_time(std::int64_t milliseconds) {
   return text;
 }
 
+std::string_view iec_function(NodeOp op) {
+  switch (op) {
+    case NodeOp::And:
+      return "AND";
+    case NodeOp::Or:
+      return "OR";
+    case NodeOp::Xor:
+      return "XOR";
+    case NodeOp::Equal:
+      return "EQ";
+    case NodeOp::NotEqual:
+      return "NE";
+    case NodeOp::Less:
+      return "LT";
+    case NodeOp::LessEqual:
+      return "LE";
+    case NodeOp::Greater:
+      return "GT";
+    case NodeOp::GreaterEqual:
+      return "GE";
+    case NodeOp::Add:
+      return "ADD";
+    case NodeOp::Subtract:
+    case NodeOp::Negate:
+      return "SUB";
+    case NodeOp::Multiply:
+      return "MUL";
+    default:
+      return "DIV";
+  }
+}
+
 std::string iec_head(const Unit& unit, const PropertyLines& properties) {
   std::string text;
   for (const std::string& line : properties.comments) {

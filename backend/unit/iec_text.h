@@ -15,6 +15,8 @@ namespace rung::backend {
 std::string iec_comment(std::string_view text);
 /// `T#2s500ms`.
 std::string iec_time(std::int64_t milliseconds);
+/// The function of an operator of two operands; a negation is one from 0.
+std::string_view iec_function(NodeOp op);
 /// From the property lines to the last END_VAR.
 std::string iec_head(const Unit& unit, const PropertyLines& properties);
 
