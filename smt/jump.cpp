@@ -103,7 +103,7 @@ void JumpCircuit::stretch_term(ExprId id, const Expr& e) {
   Aig& aig = cone_->circuit().aig();
   if (const auto grown = grown_.find(id); grown != grown_.end()) {
     stretched_[id] = grown_word(grown->second);
-    plain_[id] = true;
+    plain_.insert(id);
   } else if (e.op == ExprOp::Variable) {
     const Variable& var = ts.vars[e.var];
     if (var.role != VarRole::State || !ts.states[var.state].clock) return;
@@ -115,7 +115,7 @@ void JumpCircuit::stretch_term(ExprId id, const Expr& e) {
                             : kAigTrue;
     stretched_[id] = word_choose(aig, runs, grown_word(var.state),
                                  cone_->circuit().next(var.state));
-    plain_[id] = true;
+    plain_.insert(id);
   } else if (e.op == ExprOp::Equal || e.op == ExprOp::Less) {
     if (depends(e.a) || depends(e.b)) compare(id, e);
   } else if (e.type == Type::Word) {
@@ -125,7 +125,7 @@ void JumpCircuit::stretch_term(ExprId id, const Expr& e) {
                     [&](ExprId operand) { return depends(operand); });
     if (any) stretched_[id] = stretched_word(e);
     if (e.op == ExprOp::Ite && is_plain(e.b) && is_plain(e.c)) {
-      plain_[id] = true;
+      plain_.insert(id);
     }
   }
 }

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <unordered_map>
+#include <unordered_set>
 #include <vector>
 
 #include "smt/cone.h"
@@ -63,7 +64,7 @@ class JumpCircuit {
   /// Values in the last scan of the stretch, of the terms that differ there.
   std::unordered_map<ExprId, Word> stretched_;
   std::unordered_map<ExprId, std::uint32_t> grown_;  // growth term: its state
-  std::unordered_map<ExprId, bool> plain_;  // a clock's value, or a choice
+  std::unordered_set<ExprId> plain_;  // a clock's value, or a choice
   std::unordered_map<ExprId, bool> seen_;
   std::vector<ExprId> stack_;
 };

@@ -259,12 +259,11 @@ void Portfolio::correspond() {
   }
   const RegisterClasses classes = register_classes(
       cone_, known_, templates_->signatures(), goals, *options_.deadline);
+  std::unordered_set<AigLit> known(known_.lemmas.begin(), known_.lemmas.end());
   for (const auto& [x, y] : classes.equal) {
     const ExprId equal = ts_.exprs.equal(ts_.state_expr(x), ts_.state_expr(y));
     const AigLit signal = cone_.circuit().bit(equal);
-    if (std::count(known_.lemmas.begin(), known_.lemmas.end(), signal) != 0) {
-      continue;
-    }
+    if (!known.insert(signal).second) continue;
     known_.lemmas.push_back(signal);
     invariant_.lemmas.push_back({{equal, {}, 0, false}});
   }
