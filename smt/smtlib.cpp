@@ -256,9 +256,9 @@ class ScriptWriter {
   }
 
   std::string written(const Expr& e) {
-    static const std::string kNone;
+    static const std::string none;
     const auto operand = [&](ExprId id) -> const std::string& {
-      return id.has_value() ? text(id) : kNone;
+      return id.has_value() ? text(id) : none;
     };
     return smtlib::term(ts_.exprs, e, operand(e.a), operand(e.b), operand(e.c));
   }
