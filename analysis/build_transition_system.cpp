@@ -57,12 +57,16 @@ class StepNames : public NameResolver {
 
 class Builder {
  public:
-  explicit Builder(const Program& program) : program_(program) {}
+  enum class Time : std::uint8_t { Passes, MayStop };
+
+  Builder(const Program& program, Time time)
+      : program_(program), may_stop_(time == Time::MayStop) {}
 
   TransitionSystem build() {
     ts_.scan = program_.scan;
     ts_.dt = ts_.add_input("dt", VarRole::Dt, Type::Word, ts_.scan.min_ms,
                            ts_.scan.max_ms);
+    if (may_stop_) declare_stop();
     declare_cells();
     declare_instances();
     tick_clocks();
@@ -77,13 +81,40 @@ class Builder {
  private:
   ExprArena& exprs() { return ts_.exprs; }
 
+  void declare_stop() {
+    const VarId stop =
+        ts_.add_input(".freeze", VarRole::Freeze, Type::Bit, 0, 1);
+    const std::uint32_t frozen = ts_.add_state(".frozen", Type::Bit, 0, 1, 0);
+    ts_.frozen = ts_.state_expr(frozen);
+    ts_.states[frozen].next = exprs().disjunction(ts_.frozen, ts_.of(stop));
+    const std::uint32_t held = ts_.add_state(".held", Type::Bit, 0, 1, 0);
+    ts_.states[held].next = ts_.frozen;
+    held_ = ts_.state_expr(held);
+  }
+
+  /// What an input is in a scan, given its sample of that scan.
+  ExprId sampled(const Cell& cell, ExprId sample) {
+    if (!may_stop_) return sample;
+    const std::size_t dot = cell.made ? cell.name.rfind('.') : 0;
+    const auto pin = first_sample_.find(cell.name.substr(0, dot));
+    if (pin != first_sample_.end()) {
+      return exprs().ite(ts_.frozen, pin->second, sample);
+    }
+    const std::uint32_t kept = ts_.add_state(".held." + cell.name, cell.type,
+                                             cell.low, cell.high, cell.initial);
+    const ExprId value = exprs().ite(held_, ts_.state_expr(kept), sample);
+    ts_.states[kept].next = value;
+    first_sample_.emplace(cell.name, value);
+    return value;
+  }
+
   void declare_cells() {
     for (const CellId id : ids_of(program_.cells)) {
       const Cell& cell = program_.cells[id];
       if (cell.role == CellRole::Input) {
         const VarId var = ts_.add_input(cell.name, VarRole::Input, cell.type,
                                         cell.low, cell.high, id);
-        cells_.push_back(ts_.of(var));
+        cells_.push_back(sampled(cell, ts_.of(var)));
         cell_state_.push_back(kNoState);
       } else {
         const std::uint32_t state = ts_.add_state(
@@ -149,11 +180,15 @@ class Builder {
 
   /// Time passes before the first rung: every running clock grows by dt.
   void tick_clocks() {
-    for (const State& state : ts_.states) {
+    for (State& state : ts_.states) {
       const ExprId now = ts_.of(state.var);
       if (!state.clock) {
         element_.push_back(now);
         continue;
+      }
+      if (may_stop_) {
+        state.running =
+            exprs().conjunction(state.running, exprs().negation(ts_.frozen));
       }
       const ExprId grown = exprs().minimum(exprs().add(now, ts_.of(ts_.dt)),
                                            exprs().word(state.cap));
@@ -400,6 +435,9 @@ class Builder {
   static constexpr std::uint32_t kNoState = 0xffff'ffff;
 
   const Program& program_;
+  bool may_stop_;
+  ExprId held_;  // the inputs are those of the scan before
+  std::unordered_map<std::string, ExprId> first_sample_;  // by input
   TransitionSystem ts_;
   std::vector<ExprId> cells_;              // values so far, by CellId
   std::vector<std::uint32_t> cell_state_;  // by CellId
@@ -411,7 +449,11 @@ class Builder {
 }  // namespace
 
 TransitionSystem build_transition_system(const Program& program) {
-  return Builder(program).build();
+  return Builder(program, Builder::Time::Passes).build();
+}
+
+TransitionSystem build_freezing_system(const Program& program) {
+  return Builder(program, Builder::Time::MayStop).build();
 }
 
 }  // namespace rung

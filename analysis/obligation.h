@@ -16,6 +16,7 @@ enum class Goal : std::uint8_t {
   Invariant,  // `condition` holds at the end of every scan
   Reach,      // `condition` holds at the end of some scan of some run
   Recover,    // from every reachable state some run leads to such a scan
+  Respond,    // every fair run goes through such scans again and again
 };
 
 std::string_view to_string(Goal goal);
@@ -26,11 +27,11 @@ std::string_view to_string(Goal goal);
 /// response ...) `trigger` is its left side at a scan's end: when it can never
 /// hold, a proof is vacuous.
 struct Obligation {
-  std::string name;  // "NAME", "NAME.holds", "interlock@12"
-  std::string_view
-      kind;          // "always", "never", "interlock", "latch", "reach",
-                     // "recoverable", "after", "for", "only-after", "built-in"
-  std::string text;  // the property line, or what a built-in one says
+  std::string name;       // "NAME", "NAME.holds", "interlock@12"
+  std::string_view kind;  // "always", "never", "interlock", "latch", "reach",
+                          // "recoverable", "after", "for", "only-after",
+                          // "settles", "eventually", "built-in"
+  std::string text;       // the property line, or what a built-in one says
   SourceRange where;
   Goal goal = Goal::Invariant;
   ExprId condition;

@@ -159,8 +159,23 @@ class PropertyReader {
       if (statement.templates.empty()) break;
       if (!checker_.check_made(formula, statement.line.where)) return;
     }
+    if (property.form == Property::Form::Settles && !name_outputs(property)) {
+      return;
+    }
     name(statement, property);
     set_.properties.push_back(std::move(property));
+  }
+
+  bool name_outputs(Property& property) {
+    for (const Cell& cell : program_.cells) {
+      if (cell.role != CellRole::Output) continue;
+      property.formulas.push_back(cell.name);
+    }
+    if (!property.formulas.empty()) return true;
+    fail("RP067", property.where,
+         "the program has no output that could settle; an `output NAME` line "
+         "makes one");
+    return false;
   }
 
   static std::vector<std::string> formulas_of(const Statement& statement) {

@@ -25,6 +25,9 @@ struct Property {
     After,        // formulas[0], then formulas[1] within scans or ms
     For,          // formulas[0] for ms implies formulas[1]
     OnlyAfter,    // formulas[0] only after formulas[1]
+    Settles,      // at rest, outputs stop changing within scans; formulas are
+                  // the outputs' names
+    Eventually,   // formulas[0], again and again, if the others are so, too
   };
   // Built-in properties are of the form Reach.
   Form form = Form::Always;
@@ -64,7 +67,9 @@ PropertySet read_properties(Program& program,
                             const SourceSet& sources, DiagnosticSink& sink);
 
 /// Adds the monitors of all properties to `ts` and returns what is to be
-/// decided, in the order of the properties.
+/// decided, in the order of the properties. Those that ask what settles are of
+/// build_freezing_system(), all others of build_transition_system(), and each
+/// is left out of the other.
 std::vector<Obligation> make_obligations(const Program& program,
                                          const PropertySet& properties,
                                          TransitionSystem& ts);

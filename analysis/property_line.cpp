@@ -116,6 +116,7 @@ class LineParser {
   void read_latch(const Slice& rest);
   void read_after(const Slice& rest);
   void read_for(const Slice& rest, std::size_t implies);
+  void read_settles(const Slice& rest);
   void read_pattern(const Slice& rest);
   void read_assume(const Slice& rest);
   void read_input(const Slice& rest);
@@ -164,7 +165,7 @@ const std::array<LineParser::Keyword, 18> LineParser::kKeywords = {{
     {"reach", &LineParser::read_reach},
     {"recoverable", &LineParser::read_recoverable},
     {"scan", &LineParser::read_scan},
-    {"settles", &LineParser::not_yet},
+    {"settles", &LineParser::read_settles},
 }};
 
 struct Unit {
@@ -342,6 +343,28 @@ void LineParser::read_for(const Slice& rest, std::size_t implies) {
   time(left.part(held + 3), false);
   formula(left.part(0, held));
   formula(rest.part(implies + 7));
+}
+
+/// settles within 3 scans
+void LineParser::read_settles(const Slice& rest) {
+  Property& property = statement_.property;
+  property.form = Property::Form::Settles;
+  const bool within = rest.text.starts_with("within") &&
+                      (rest.text.size() == 6 || !is_word_part(rest.text[6]));
+  if (!within) {
+    return fail(rest.empty() ? after(statement_.line) : rest,
+                "`settles` is followed by a number of scans: `settles within "
+                "3 scans`");
+  }
+  const Slice limit = rest.part(6);
+  time(limit, true);
+  if (failed_) return;
+  if (property.scans < 0) {
+    fail("RP065", limit, "time stands still here: scans are counted, not ms");
+  } else if (property.scans == 0) {
+    fail("RP065", limit,
+         "inputs change at once, outputs in a scan: 1 scan is the least");
+  }
 }
 
 void LineParser::read_pattern(const Slice& rest) {
@@ -549,6 +572,10 @@ std::string_view to_string(Property::Form form) {
       return "for";
     case Property::Form::OnlyAfter:
       return "only-after";
+    case Property::Form::Settles:
+      return "settles";
+    case Property::Form::Eventually:
+      return "eventually";
   }
   return {};
 }

@@ -15,13 +15,20 @@ class ObligationMaker {
  public:
   ObligationMaker(const Program& program, const PropertySet& properties,
                   TransitionSystem& ts)
-      : properties_(properties), ts_(ts), terms_(program, ts) {}
+      : program_(program),
+        properties_(properties),
+        ts_(ts),
+        terms_(program, ts) {}
 
   std::vector<Obligation> make() {
     for (const std::string& assumption : properties_.assumptions) {
       ts_.constraints.push_back(terms_.term(assumption));
     }
-    for (; at_ < properties_.properties.size(); ++at_) lower();
+    const bool freezes = ts_.frozen.has_value();
+    for (; at_ < properties_.properties.size(); ++at_) {
+      const bool settles = property().form == Property::Form::Settles;
+      if (settles == freezes) lower();
+    }
     return std::move(obligations_);
   }
 
@@ -76,6 +83,10 @@ class ObligationMaker {
         return held();
       case Property::Form::OnlyAfter:
         return only_after();
+      case Property::Form::Settles:
+        return settles();
+      case Property::Form::Eventually:
+        return;  // no line is read as one yet
     }
   }
 
@@ -224,6 +235,28 @@ class ObligationMaker {
     add(Goal::Invariant, exprs().implication(q, seen), q);
   }
 
+  /// settles within N scans: `rested` counts scans since time stopped. From
+  /// the N-th on none leaves an output that is not as the one before left it.
+  void settles() {
+    const std::int64_t limit = property().scans + 1;
+    const std::uint32_t state =
+        ts_.add_state(monitor("rested"), Type::Word, 0, limit, 0);
+    const ExprId older =
+        exprs().minimum(exprs().add(ts_.state_expr(state), exprs().word(1)),
+                        exprs().word(limit));
+    ts_.states[state].next = exprs().ite(ts_.frozen, older, exprs().word(0));
+    ExprId same = exprs().bit(true);
+    for (const CellId id : ids_of(program_.cells)) {
+      if (program_.cells[id].role != CellRole::Output) continue;
+      same = exprs().conjunction(same, exprs().equal(ts_.cell_begin[id.index()],
+                                                     ts_.cell_end[id.index()]));
+    }
+    const ExprId rested =
+        exprs().equal(ts_.states[state].next, exprs().word(limit));
+    add(Goal::Invariant, exprs().implication(rested, same), rested);
+  }
+
+  const Program& program_;
   const PropertySet& properties_;
   TransitionSystem& ts_;
   PropertyTerms terms_;

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cassert>
 #include <unordered_map>
+#include <utility>
 
 #include "analysis/property.h"
 #include "analysis/replay_formula.h"
@@ -32,7 +33,9 @@ class PropertyWatch {
   PropertyWatch(const Program& program, const ObservationNames& names,
                 const Property& property)
       : property_(property) {
+    if (property.form == Property::Form::Settles) watch_rest(program);
     for (const std::string& text : property.formulas) {
+      if (property.form == Property::Form::Settles) break;  // outputs
       formulas_.emplace_back(program, names, text);
     }
     last_true_.assign(formulas_.size(), -1);
@@ -68,6 +71,9 @@ class PropertyWatch {
       case Property::Form::After:
       case Property::Form::OnlyAfter:
         return holds(0);
+      case Property::Form::Settles:
+        return rested_ > property_.scans;
+      case Property::Form::Eventually:
       case Property::Form::Never:
       case Property::Form::Reach:
       case Property::Form::Recoverable:
@@ -89,6 +95,9 @@ class PropertyWatch {
     for (FormulaWatch& formula : formulas_) formula.skip(count);
     if (open_scans_ >= 0) open_scans_ += static_cast<std::int64_t>(count);
     remember_true(after);
+    if (property_.form != Property::Form::Settles) return;
+    since_ = after.now_ms();
+    if (rested_ > 0) rested_ += static_cast<std::int64_t>(count);
   }
 
  private:
@@ -120,7 +129,46 @@ class PropertyWatch {
         preceded_ = preceded_ || holds(1);
         decided_ = holds(0) && !preceded_;
         break;
+      case Property::Form::Settles:
+        decided_ = unsettled(simulator);
+        break;
+      case Property::Form::Eventually:
+        break;
     }
+  }
+
+  void watch_rest(const Program& program) {
+    for (const CellId cell : ids_of(program.cells)) {
+      const CellRole role = program.cells[cell].role;
+      if (role == CellRole::Input) inputs_.push_back({cell, 0});
+      if (role == CellRole::Output) outputs_.push_back({cell, 0});
+    }
+  }
+
+  static bool changes(std::vector<std::pair<CellId, std::int64_t>>& cells,
+                      const Simulator& simulator) {
+    bool changed = false;
+    for (auto& [cell, value] : cells) {
+      const std::int64_t now = simulator.value(cell);
+      changed = changed || value != now;
+      value = now;
+    }
+    return changed;
+  }
+
+  // An output changes behind the N-th scan at rest. Once time stands still it
+  // does so for good, and inputs are those of the first such scan; a run in
+  // which that is not so shows nothing.
+  bool unsettled(const Simulator& simulator) {
+    const bool first = simulator.scans() == 1;
+    const bool stands_still = !first && simulator.now_ms() == since_;
+    since_ = simulator.now_ms();
+    const bool new_inputs = changes(inputs_, simulator);
+    const bool new_outputs = changes(outputs_, simulator);
+    const bool broken = rested_ > 0 && (!stands_still || new_inputs);
+    if (broken) rested_ = kNoRest;
+    if (rested_ != kNoRest && stands_still) ++rested_;
+    return new_outputs && rested_ > property_.scans;
   }
 
   // Two are true together, or one is less than the gap after another was.
@@ -180,6 +228,9 @@ class PropertyWatch {
   // Scans in which no deadline of the property passes, its formulas constant.
   std::uint64_t time_limit(const Simulator& simulator,
                            std::int64_t dt_ms) const {
+    if (rested_ > 0 && rested_ <= property_.scans) {
+      return static_cast<std::uint64_t>(property_.scans - rested_);
+    }
     if (open_scans_ < 0) return kForever;
     const std::int64_t passed = simulator.now_ms() - since_;
     const std::int64_t left =
@@ -245,7 +296,12 @@ class PropertyWatch {
   bool decided_ = false;
   bool preceded_ = false;         // OnlyAfter: P was true
   std::int64_t open_scans_ = -1;  // After: scans since `since_`; -1: none
-  std::int64_t since_ = 0;        // After: the open P. For: P true since
+  std::int64_t since_ = 0;        // After: the open P. For: P true since.
+                                  // Settles: the end of the scan before
+  static constexpr std::int64_t kNoRest = -1;
+  std::int64_t rested_ = 0;  // Settles: scans at rest
+  std::vector<std::pair<CellId, std::int64_t>> inputs_;   // Settles: as they
+  std::vector<std::pair<CellId, std::int64_t>> outputs_;  // were last
   std::vector<std::int64_t> last_true_;  // Interlock, by formula; -1: never
 };
 

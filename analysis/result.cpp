@@ -26,6 +26,8 @@ std::string_view to_string(Goal goal) {
       return "reach";
     case Goal::Recover:
       return "recover";
+    case Goal::Respond:
+      return "respond";
   }
   return {};
 }

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "analysis/program.h"
@@ -32,6 +34,8 @@ struct Trace {
     bool changes = false;  // a cell also changes behind its first scan
   };
   std::vector<Step> steps;
+  /// The steps from this one on (by index) can follow each other for ever.
+  std::optional<std::size_t> loop;
 };
 
 }  // namespace rung

@@ -16,6 +16,7 @@ enum class VarRole : std::uint8_t {
   Input,   // an input cell's sample of this scan
   Dt,      // ms since the scan before, in the scan interval
   Choice,  // a free bit of the encoding (`any` of an element)
+  Freeze,  // a bit: from the next scan on time stands still, inputs are held
 };
 
 /// Bits have low 0 and high 1. A word variable never leaves [low, high]: of
@@ -79,6 +80,9 @@ struct TransitionSystem {
   /// Only scans in which all of these hold are considered (`//@ assume`).
   std::vector<ExprId> constraints;
   std::vector<Fault> faults;
+  /// Of build_freezing_system(): no time passes in this scan, and inputs are as
+  /// in the first such scan (a state). No value: time always passes.
+  ExprId frozen;
 
   VarId add_input(std::string name, VarRole role, Type type, std::int64_t low,
                   std::int64_t high, CellId cell = {});
@@ -101,6 +105,11 @@ struct TransitionSystem {
 /// Preconditions: build_program() reported no error.
 /// Limits: linear in the program.
 TransitionSystem build_transition_system(const Program& program);
+
+/// The same, but in any run, behind its first scan, time may stop for good: in
+/// all scans from then on no clock grows, and inputs keep the values that they
+/// have in the first of them. There, all samples of one pin are one.
+TransitionSystem build_freezing_system(const Program& program);
 
 /// Gives the names of a formula their terms.
 class NameResolver {

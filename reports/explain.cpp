@@ -85,6 +85,12 @@ std::string broken_clause(const Property& property,
     case Property::Form::OnlyAfter:
       if (f.size() < 2) return "";
       return fmt::format("`{}` is true, and `{}` never was", f[0], f[1]);
+    case Property::Form::Settles:
+      return fmt::format(
+          "an output still changes after {} at rest (no time passes, inputs "
+          "are held)",
+          quantity(static_cast<std::size_t>(property.scans), "scan"));
+    case Property::Form::Eventually:
     case Property::Form::Interlock:
     case Property::Form::Reach:
       return "";
@@ -105,6 +111,8 @@ std::string proof_phrase(const ObligationResult& result) {
                          quantity(result.scans, "scan"));
     case Goal::Recover:
       return "a run leads there from every reachable state";
+    case Goal::Respond:
+      return "every fair run gets there again and again";
     case Goal::Invariant:
       break;
   }

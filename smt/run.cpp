@@ -1,6 +1,7 @@
 #include "smt/run.h"
 
 #include <algorithm>
+#include <optional>
 #include <unordered_map>
 
 #include "smt/interpret.h"
@@ -33,6 +34,41 @@ std::int64_t resting(const Variable& var) {
   return std::clamp<std::int64_t>(0, var.low, var.high);
 }
 
+/// In which scans of a run time stands still, and what its inputs are there.
+class Freezing {
+ public:
+  Freezing(const TransitionSystem& ts, const std::vector<VarId>& inputs)
+      : ts_(ts), inputs_(inputs) {
+    if (!ts.frozen.has_value()) return;
+    std::vector<ExprId> roots = {ts.frozen};
+    for (const Variable& var : ts.vars) {
+      if (var.role == VarRole::Input) {
+        roots.push_back(ts.cell_end[var.cell.index()]);
+      }
+    }
+    terms_.emplace(ts, roots);
+  }
+
+  /// Does time stand still in this scan? A stretch behind it changes nothing
+  /// of that, and when it does, nothing at all.
+  bool scan(const RunStep& step) {
+    if (!terms_) return false;
+    for (std::size_t i = 0; i < inputs_.size(); ++i) {
+      terms_->set_input(inputs_[i], step.inputs[i]);
+    }
+    terms_->scan();
+    return terms_->value(ts_.frozen) != 0;
+  }
+  std::int64_t input(CellId cell) const {
+    return terms_->value(ts_.cell_end[cell.index()]);
+  }
+
+ private:
+  const TransitionSystem& ts_;
+  const std::vector<VarId>& inputs_;
+  std::optional<Interpreter> terms_;
+};
+
 }  // namespace
 
 std::uint64_t scan_count(const Run& run, const ScanInterval& scan) {
@@ -55,6 +91,7 @@ Stimulus to_stimulus(const TransitionSystem& ts, const FoundRun& run) {
     values.push_back(resting(var));
   }
   std::int64_t dt = ts.scan.min_ms;
+  Freezing freezing(ts, run.inputs);
   const auto emit = [&](Beat beat) {
     if (!stimulus.steps.empty()) {
       StimulusStep& last = stimulus.steps.back();
@@ -71,6 +108,13 @@ Stimulus to_stimulus(const TransitionSystem& ts, const FoundRun& run) {
       if (var.role == VarRole::Dt) dt = step.inputs[i];
       if (var.role != VarRole::Input) continue;
       values[place[var.cell]] = step.inputs[i];
+    }
+    if (freezing.scan(step)) {
+      for (const auto& [cell, column] : place) {
+        values[column] = freezing.input(cell);
+      }
+      emit({0, 1});
+      continue;
     }
     emit({dt, 1});
     for (const Beat& beat : beats(step.delta, ts.scan)) emit(beat);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <chrono>
+#include <iterator>
 #include <map>
 #include <unordered_map>
 #include <utility>
@@ -39,12 +40,12 @@ bool satisfiable(const TransitionSystem& ts, const Deadline& deadline) {
 class Verifier {
  public:
   Verifier(const Program& program, const PropertySet& properties,
-           const VerifyOptions& options)
+           const VerifyOptions& options, TransitionSystem ts)
       : program_(program),
         properties_(properties),
         options_(options),
         deadline_(options.budget.seconds),
-        ts_(build_transition_system(program)),
+        ts_(std::move(ts)),
         questions_(make_questions(program, properties, options.wanted, ts_)),
         growth_(growth_terms(ts_)),
         parts_(partition(ts_, terms(questions_.targets))),
@@ -345,11 +346,43 @@ class Verifier {
   Verdicts verdicts_;
 };
 
+bool asks_what_settles(const PropertySet& properties,
+                       const VerifyOptions& options) {
+  const auto asks = [&](const Property& property) {
+    return property.form == Property::Form::Settles &&
+           (!options.wanted || options.wanted(property.name));
+  };
+  return std::any_of(properties.properties.begin(), properties.properties.end(),
+                     asks);
+}
+
+/// Results stay in the order of their properties.
+void add(VerifyReport& report, VerifyReport more) {
+  const auto move_behind = [](auto from, auto& to) {
+    to.insert(to.end(), std::make_move_iterator(from.begin()),
+              std::make_move_iterator(from.end()));
+  };
+  move_behind(std::move(more.results), report.results);
+  move_behind(std::move(more.failures), report.failures);
+  std::stable_sort(report.results.begin(), report.results.end(),
+                   [](const ObligationResult& a, const ObligationResult& b) {
+                     return a.obligation.property < b.obligation.property;
+                   });
+}
+
 }  // namespace
 
 VerifyReport verify(const Program& program, const PropertySet& properties,
                     const VerifyOptions& options) {
-  return Verifier(program, properties, options).run();
+  VerifyReport report =
+      Verifier(program, properties, options, build_transition_system(program))
+          .run();
+  if (asks_what_settles(properties, options)) {
+    add(report,
+        Verifier(program, properties, options, build_freezing_system(program))
+            .run());
+  }
+  return report;
 }
 
 const std::vector<EngineInfo>& engines() {

@@ -10,7 +10,7 @@ namespace {
 std::string why_not(const std::vector<Obligation>& obligations) {
   if (obligations.empty()) return "no property is asked for";
   for (const Obligation& one : obligations) {
-    if (one.goal == Goal::Recover) {
+    if (one.goal == Goal::Recover || one.goal == Goal::Respond) {
       return "`" + one.name +
              "`: no reachability, which is all that these formats can ask";
     }
@@ -23,11 +23,25 @@ std::string why_not(const std::vector<Obligation>& obligations) {
   return {};
 }
 
+/// They are about another system, in which time may stop.
+std::string what_settles(const PropertySet& properties,
+                         const std::function<bool(std::string_view)>& wanted) {
+  for (const Property& one : properties.properties) {
+    if (one.form != Property::Form::Settles) continue;
+    if (wanted && !wanted(one.name)) continue;
+    return "`" + one.name + "`: what settles while time stands still is not " +
+           "asked of other tools";
+  }
+  return {};
+}
+
 }  // namespace
 
 ModelProblem make_problem(const Program& program, const PropertySet& properties,
                           const std::function<bool(std::string_view)>& wanted) {
   ModelProblem problem;
+  problem.error = what_settles(properties, wanted);
+  if (!problem.error.empty()) return problem;
   problem.ts = build_transition_system(program);
   TransitionSystem& ts = problem.ts;
   std::vector<Obligation> obligations =

@@ -30,6 +30,28 @@ TEST(Blocks, RandomProgramsMeanTheSameToBoth) {
   }
 }
 
+/// `settles` lets time stand still behind the first scan, for good.
+TEST(Blocks, ScansOfNoTimeMeanTheSameToBoth) {
+  const std::uint64_t count = setting("RUNG_AGREEMENT_PROGRAMS", 2000) / 4;
+  for (std::uint64_t seed = 1; seed <= count; ++seed) {
+    const std::vector<std::uint32_t> numbers = random_tape(seed, 600);
+    Tape tape(numbers);
+    const Program program = random_block_program(tape);
+    Stimulus stimulus = random_stimulus(program, tape, 30);
+    const std::size_t last = 1 + tape.pick(8);
+    for (std::size_t i = last; i < stimulus.steps.size(); ++i) {
+      stimulus.steps[i].dt_ms = 0;
+    }
+    Program stoppable = program;
+    stoppable.scan.min_ms = 0;
+    ASSERT_EQ(
+        compare_encoding(program, {program, build_transition_system(stoppable)},
+                         stimulus),
+        "")
+        << "seed " << seed;
+  }
+}
+
 struct Diagram {
   std::string_view kind;
   std::vector<std::string> inputs;  // levels, a letter a scan of 10 ms

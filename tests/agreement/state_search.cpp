@@ -35,12 +35,11 @@ class Search {
     StateValues initial;
     for (const State& state : ts_.states) initial.push_back(state.init);
     place(initial);
-    std::uint64_t scan = 0;
     while (!next_.empty()) {
       if (seen_.size() > max_states) return result_;
-      ++scan;
+      ++scan_;
       const std::vector<StateValues> frontier = std::exchange(next_, {});
-      for (const StateValues& state : frontier) visit(state, scan);
+      for (const StateValues& state : frontier) visit(state, scan_);
     }
     result_.complete = true;
     for (std::size_t i = 0; i < obligations_.size(); ++i) {
@@ -63,7 +62,11 @@ class Search {
     const auto [entry, is_new] =
         seen_.emplace(std::string(bytes, state.size() * sizeof(state[0])),
                       static_cast<std::uint32_t>(seen_.size()));
-    if (is_new) next_.push_back(state);
+    if (is_new) {
+      next_.push_back(state);
+      result_.states.push_back(state);
+      result_.reached_in.push_back(scan_);
+    }
     return entry->second;
   }
 
@@ -103,7 +106,9 @@ class Search {
           after.push_back(interpreter_.state(i));
         }
         const std::uint32_t from = place(state);
-        edges_.push_back({from, place(after), scan, goals});
+        const std::uint32_t to = place(after);
+        if (result_.reached_in[to] == 0) result_.reached_in[to] = scan;
+        edges_.push_back({from, to, scan, goals});
       }
     }
   }
@@ -140,6 +145,7 @@ class Search {
   const TransitionSystem& ts_;
   const std::vector<Obligation>& obligations_;
   TsInterpreter interpreter_;
+  std::uint64_t scan_ = 0;
   std::vector<VarId> bits_;
   std::unordered_map<std::string, std::uint32_t> seen_;  // the values' bytes
   std::vector<Edge> edges_;

@@ -17,6 +17,10 @@ struct StateSearch {
   std::vector<std::uint64_t> decided_at;
   /// By obligation: its trigger holds at some scan's end; true without one.
   std::vector<bool> triggered;
+  /// By number: the values of its states, and how many scans lead there; 0 for
+  /// the first one when none do.
+  std::vector<std::vector<std::int64_t>> states;
+  std::vector<std::uint64_t> reached_in;
   bool runs = false;      // some scan meets the assumptions
   bool complete = false;  // not given up at `max_states`
 };

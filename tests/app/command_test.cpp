@@ -161,6 +161,9 @@ TEST(Refused, EachCommandLineEndsInStatusTwoAndSaysWhy) {
   const Sandbox sandbox;
   write_text(sandbox.path() / "good.rung", "Q0 = I0;\n");
   write_text(sandbox.path() / "other.rung", "QW0 = IW0;\n");
+  write_text(sandbox.path() / "settles.rung",
+             "//@ calm: settles within 2 scans\n"
+             "//@ stop: always Q0 -> I0\nQ0 = I0;\n");
   write_text(sandbox.path() / "bad.rung", "Q0 = (I0;\n");
   write_text(sandbox.path() / "yun.rung", "pin3 = pin4;\n");
   write_text(sandbox.path() / "rungs.clp", "_FILES_CLASSICLADDER\n");

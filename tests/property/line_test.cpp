@@ -44,6 +44,10 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"always Q0 -> !I1", "always@1 = {Q0 -> !I1}"},
         Case{"  a.b-c :  never  Q0 AND Q1  ", "a.b-c = {Q0 AND Q1}"},
         Case{"back: recoverable !Q0", "back = {!Q0}"},
+        Case{"settles within 3 scans",
+             "settles@1 = {Q0} {Q1} {Q2} {Q3} {Q4} {QW0} 3 scans"},
+        Case{"calm: settles within 1 scan",
+             "calm = {Q0} {Q1} {Q2} {Q3} {Q4} {QW0} 1 scans"},
         Case{"interlock Q0, Q1", "interlock@1 = {Q0} {Q1}"},
         Case{"interlock Q0, Q1 && (Q2 || I0), Q2 gap 1.5 s",
              "interlock@1 = {Q0} {Q1 && (Q2 || I0)} {Q2} 1500 ms"},
@@ -164,13 +168,44 @@ INSTANTIATE_TEST_SUITE_P(
 
 INSTANTIATE_TEST_SUITE_P(
     NotYet, Refused,
+    testing::Values(Case{
+        "n: eventually Q0 given fair I0",
+        "RP064 [eventually] `eventually` is not supported in this "
+        "version: no engine decides it yet"}));
+
+INSTANTIATE_TEST_SUITE_P(
+    Settles, Refused,
     testing::Values(
-        Case{"n: eventually Q0 given fair I0",
-             "RP064 [eventually] `eventually` is not supported in this "
-             "version: no engine decides it yet"},
-        Case{"settles within 3 scans",
-             "RP064 [settles] `settles` is not supported in this version: no "
-             "engine decides it yet"}));
+        Case{"settles",
+             "RP060 [] `settles` is followed by a number of scans: "
+             "`settles within 3 scans`"},
+        Case{"settles in 3 scans",
+             "RP060 [in 3 scans] `settles` is followed by a number of scans: "
+             "`settles within 3 scans`"},
+        Case{"settles Q0 within 3 scans",
+             "RP060 [Q0 within 3 scans] `settles` is followed by a number of "
+             "scans: `settles within 3 scans`"},
+        Case{"settles within3 scans",
+             "RP060 [within3 scans] `settles` is followed by a number of "
+             "scans: `settles within 3 scans`"},
+        Case{"settles within",
+             "RP065 [] a time such as `500 ms`, `1.5 s` or `3 scans` is "
+             "expected here"},
+        Case{"settles within 0 scans",
+             "RP065 [0 scans] inputs change at once, outputs in a scan: 1 scan "
+             "is the least"},
+        Case{"settles within 30 ms",
+             "RP065 [30 ms] time stands still here: scans are counted, not ms"},
+        Case{"settles within 1000001 scans",
+             "RP065 [1000001 scans] more than 1000000 scans"},
+        Case{"settles within 1.5 scans",
+             "RP065 [1.5 scans] a time is a whole number of ms or scans"},
+        Case{"settles within -1 scans",
+             "RP065 [-1 scans] a time such as `500 ms`, `1.5 s` or `3 scans` "
+             "is expected here"},
+        Case{"settles within 3 scans given fair I0",
+             "RP065 [3 scans given fair I0] a time such as `500 ms`, `1.5 s` "
+             "or `3 scans` is expected here"}));
 
 INSTANTIATE_TEST_SUITE_P(
     Numbers, Refused,
