@@ -449,8 +449,9 @@ void Portfolio::run() {
   if (uses("simulation")) simulate_on(Sought::All);
   if (uses("simulation")) take_hits(Sought::Hidden, 0);
   if (uses("induction") && any_doubtful()) correspond();
-  if (uses("bmc")) search(Sought::Shown, 8, 2000);
+  if (uses("bmc")) search(Sought::Shown, 4, 100);
   if (uses("induction") && any_doubtful()) guess_lemmas(Effort::Little);
+  if (uses("bmc")) search(Sought::Shown, 8, 2000);
   if (uses("bmc")) search(Sought::Shown, options_.max_depth, 500);
   if (uses("simulation")) take_hits(Sought::Shown, 0);
   if (uses("bmc")) search_hidden(8, 2000);
