@@ -146,8 +146,9 @@ void check_texts(const RawOptions& raw, Options& options) {
       refuse("--inject", what, "one of wrong-invariant, wrong-trace");
     }
   }
-  if (!options.recheck.empty() && options.recheck != "cvc5") {
-    refuse("--recheck", options.recheck, "a checker that is known: cvc5");
+  if (!options.recheck.empty() && options.recheck != "cvc5" &&
+      options.recheck != "z3") {
+    refuse("--recheck", options.recheck, "a checker that is known: cvc5, z3");
   }
   if (!(options.timeout > 0) || options.timeout > 1e9) {
     refuse("--timeout", fmt::format("{}", options.timeout),
@@ -187,7 +188,7 @@ void add_common(CLI::App& app, RawOptions& raw, Options& options) {
   app.add_option("--self-check", raw.self_check,
                  "off: traces are not replayed, certificates not re-checked");
   app.add_option("--recheck", options.recheck,
-                 "cvc5: re-check certificates with that program as well");
+                 "cvc5, z3: re-check certificates with it as well");
   app.add_option("--certificates", options.certificates,
                  "write certificates as SMT-LIB files into this directory");
   app.add_option("--map", raw.map, "a=b: signal a of the first is b")

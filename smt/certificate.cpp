@@ -11,6 +11,8 @@
 
 #include "smt/components.h"
 #include "smt/cvc5.h"
+#include "smt/sat.h"
+#include "smt/script/decide.h"
 #include "smt/script_file.h"
 #include "smt/smtlib.h"
 #include "smt/z3_script.h"
@@ -161,6 +163,8 @@ struct CertificateSession::Impl {
   };
 
   std::optional<Z3Context> context;
+  bool used_proof = false;  // by the check under way
+  bool used_z3 = false;
   std::map<std::string, Accepted> accepted;  // by CertificateOptions::recheck
   std::size_t bytes = 0;                     // of all bodies there
 
@@ -168,11 +172,13 @@ struct CertificateSession::Impl {
   void show_rest(const TransitionSystem& ts, const Part& part,
                  const std::vector<std::uint32_t>& open, double seconds,
                  CertificateReport& report);
+  script::Decision decide_on_bits(const Part& part, Clock::time_point deadline,
+                                  const CertificateOptions& options) const;
   void ask(const TransitionSystem& ts, const Part& part,
-           Clock::time_point deadline, double seconds,
+           Clock::time_point deadline, const CertificateOptions& options,
            CertificateReport& report);
   void ask_all(const TransitionSystem& ts, const std::vector<Part>& parts,
-               const Accepted& known, double seconds,
+               const Accepted& known, const CertificateOptions& options,
                CertificateReport& report);
   void decide(const TransitionSystem& ts, std::vector<Part>& parts,
               const ScriptFile* file, const CertificateOptions& options,
@@ -207,27 +213,53 @@ void CertificateSession::Impl::show_rest(const TransitionSystem& ts,
   }
 }
 
+/// Unknown when it is not tried: once Z3 runs it is the quicker one for
+/// numbers.
+script::Decision CertificateSession::Impl::decide_on_bits(
+    const Part& part, Clock::time_point deadline,
+    const CertificateOptions& options) const {
+  const bool numbers = part.script.text.find(" Int)") != std::string::npos;
+  const bool tried = !context || !numbers || options.recheck == "z3";
+  if (!tried || Clock::now() >= deadline) return script::Decision::Unknown;
+  return script::decide(part.script);
+}
+
 void CertificateSession::Impl::ask(const TransitionSystem& ts, const Part& part,
-                                   Clock::time_point deadline, double seconds,
+                                   Clock::time_point deadline,
+                                   const CertificateOptions& options,
                                    CertificateReport& report) {
+  const script::Decision on_bits = decide_on_bits(part, deadline, options);
+  if (on_bits == script::Decision::Accepted) {
+    used_proof = true;
+    if (options.recheck != "z3") {
+      return append(report.shown, part.invariant.conditions);
+    }
+  }
+  used_z3 = true;
   if (!context) context.emplace();
   const ScriptAnswer answer = ask_z3(*context, part.script, deadline);
   if (answer.outcome == CertificateOutcome::Accepted) {
-    return append(report.shown, part.invariant.conditions);
+    if (on_bits != script::Decision::Doubtful) {
+      return append(report.shown, part.invariant.conditions);
+    }
+    report.outcome = CertificateOutcome::Rejected;
+    report.what = "some claim: on bits it has a counterexample, z3 has none";
+    return;
   }
   report.outcome = answer.outcome;
   report.what = describe(ts, part.invariant, part.script,
                          part.script.queries[answer.query]);
   if (answer.outcome == CertificateOutcome::Rejected) return;
   report.what += ": z3: " + answer.why;
-  show_rest(ts, part, answer.open_claims, seconds, report);
+  show_rest(ts, part, answer.open_claims, options.seconds, report);
 }
 
 void CertificateSession::Impl::ask_all(const TransitionSystem& ts,
                                        const std::vector<Part>& parts,
-                                       const Accepted& known, double seconds,
+                                       const Accepted& known,
+                                       const CertificateOptions& options,
                                        CertificateReport& report) {
-  const Clock::time_point deadline = deadline_in(seconds);
+  const Clock::time_point deadline = deadline_in(options.seconds);
   report.outcome = CertificateOutcome::Accepted;
   report.reused = true;
   for (const Part& part : parts) {
@@ -236,7 +268,7 @@ void CertificateSession::Impl::ask_all(const TransitionSystem& ts,
       continue;
     }
     report.reused = false;
-    ask(ts, part, deadline, seconds, report);
+    ask(ts, part, deadline, options, report);
     if (report.outcome == CertificateOutcome::Rejected) return;
   }
 }
@@ -247,15 +279,21 @@ void CertificateSession::Impl::decide(const TransitionSystem& ts,
                                       const CertificateOptions& options,
                                       CertificateReport& report) {
   Accepted& known = accepted[options.recheck];
-  ask_all(ts, parts, known, options.seconds, report);
+  used_proof = false;
+  used_z3 = false;
+  ask_all(ts, parts, known, options, report);
   if (report.outcome == CertificateOutcome::Rejected) return;
-  report.checked_by.push_back("z3 " + z3_version());
+  if (used_proof) {
+    report.checked_by.push_back("cadical " + sat_version() +
+                                " (proof followed)");
+  }
+  if (used_z3) report.checked_by.push_back("z3 " + z3_version());
   if (report.outcome == CertificateOutcome::Undecided) return;
   if (report.reused) {
     report.checked_by = known.checked_by;
     return;
   }
-  if (!options.recheck.empty()) {
+  if (options.recheck == "cvc5") {
     ask_cvc5(ts, parts, file->path(), options.seconds, report);
     if (report.outcome != CertificateOutcome::Accepted) return;
   }
@@ -286,7 +324,8 @@ CertificateReport CertificateSession::check(const TransitionSystem& ts,
     report.what = wrong;
   } else if (file && !file->error().empty()) {
     report.what = file->error();
-  } else if (!options.recheck.empty() && options.recheck != "cvc5") {
+  } else if (!options.recheck.empty() && options.recheck != "cvc5" &&
+             options.recheck != "z3") {
     report.what = "there is no solver `" + options.recheck + "` to ask";
   } else {
     impl_->decide(ts, parts, file.get(), options, report);

@@ -11,7 +11,7 @@ namespace rung {
 
 struct CertificateOptions {
   double seconds = 60;           // outer limit of one check
-  std::string recheck;           // "cvc5": ask that binary as well
+  std::string recheck;           // "z3", "cvc5": ask that one as well
   std::string smtlib_directory;  // write the script there; empty: nowhere
   std::string name;              // the file's stem: "pump.interlock"
 };
@@ -26,8 +26,9 @@ struct CertificateReport {
   /// Undecided: conditions that were shown all the same, by a part of the
   /// certificate that is one without what the solver could not decide.
   std::vector<ExprId> shown;
-  std::vector<LemmaClause> dropped;     // lemmas that these do without
-  std::vector<std::string> checked_by;  // "z3 4.8.12", "cvc5 1.0.3"
+  std::vector<LemmaClause> dropped;  // lemmas that these do without
+  /// "cadical sc2021 (proof followed)", "z3 4.8.12", "cvc5 1.0.3"
+  std::vector<std::string> checked_by;
   /// Accepted, and no solver was asked: it had accepted the same scripts, word
   /// for word, for equal parts of the program.
   bool reused = false;
@@ -35,10 +36,11 @@ struct CertificateReport {
   double milliseconds = 0;
 };
 
-/// Decides certificates with a solver that shares neither state nor encoding
-/// with the engines: an SMT-LIB script made from the word-level terms, given
-/// to Z3 in this process (one context for all certificates of a session), and
-/// to the cvc5 binary when asked.
+/// Decides certificates by means that share neither state nor encoding with
+/// the engines: an SMT-LIB script made from the word-level terms is decided on
+/// bits of its own, with every refutation followed (smt/script/). What is too
+/// hard there is given to Z3 in this process (one context for all certificates
+/// of a session), and all of it to Z3 or the cvc5 binary when asked.
 ///
 /// Scripts that were accepted are kept, whole, and an equal one is not asked
 /// again: nothing of the program is in a script but what is asked of it.
@@ -46,7 +48,7 @@ struct CertificateReport {
 /// Errors: never throws; a solver's error is Undecided with its text.
 class CertificateSession {
  public:
-  CertificateSession();  // cheap: Z3 starts with the first check
+  CertificateSession();  // cheap: Z3 starts when it is first asked
   ~CertificateSession();
   CertificateSession(const CertificateSession&) = delete;
   CertificateSession& operator=(const CertificateSession&) = delete;

@@ -30,7 +30,7 @@ _rungproof() {
       COMPREPLY=($(compgen -W "note warning error" -- "$current")) ;;
     --color) COMPREPLY=($(compgen -W "auto always never" -- "$current")) ;;
     --self-check) COMPREPLY=($(compgen -W "on off" -- "$current")) ;;
-    --recheck) COMPREPLY=($(compgen -W "cvc5" -- "$current")) ;;
+    --recheck) COMPREPLY=($(compgen -W "cvc5 z3" -- "$current")) ;;
     --to)
       local targets="postfix il-iec st script il-mitsubishi ascii plcopen ldmicro plclib"
       [[ $command == export ]] && targets="aiger btor2 chc"
