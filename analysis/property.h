@@ -22,7 +22,8 @@ struct Property {
     Latch,      // Q set S reset R: formulas 0, 1, 2
     Reach,
     Recoverable,  // some run leads to formulas[0], from every reachable state
-    After,        // formulas[0], then formulas[1] within scans or ms
+    After,        // formulas[0], then formulas[1] within scans or ms; or, if
+                  // `absent`, none for so long
     For,          // formulas[0] for ms implies formulas[1]
     OnlyAfter,    // formulas[0] only after formulas[1]
     Settles,      // at rest, outputs stop changing within scans; formulas are
@@ -38,6 +39,7 @@ struct Property {
   std::int64_t milliseconds = -1;     // gap, within, for; -1: none
   std::int64_t scans = -1;            // within N scans; -1: none
   bool dominant_set = false;
+  bool absent = false;  // After: no formulas[1], instead of one in time
   bool built_in = false;
 };
 

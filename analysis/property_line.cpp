@@ -115,6 +115,7 @@ class LineParser {
   void read_interlock(const Slice& rest);
   void read_latch(const Slice& rest);
   void read_after(const Slice& rest);
+  bool take_no(Slice& part);
   void read_for(const Slice& rest, std::size_t implies);
   void read_settles(const Slice& rest);
   void read_pattern(const Slice& rest);
@@ -319,17 +320,36 @@ void LineParser::read_latch(const Slice& rest) {
 
 void LineParser::read_after(const Slice& rest) {
   statement_.property.form = Property::Form::After;
-  const std::size_t within = find_last_word(rest.text, "within");
-  if (within == kNowhere) {
+  std::size_t limit = find_last_word(rest.text, "within");
+  std::size_t word = 6;
+  if (limit == kNowhere) {
+    limit = find_last_word(rest.text, "for");
+    word = 3;
+    statement_.property.absent = true;
+  }
+  if (limit == kNowhere) {
     return fail(after(rest), "`within` is missing: `after P, Q within 500 ms`");
   }
-  time(rest.part(within + 6), true);
-  const std::vector<Slice> parts = split(rest.part(0, within), ',');
+  time(rest.part(limit + word), true);
+  std::vector<Slice> parts = split(rest.part(0, limit), ',');
   if (parts.size() != 2) {
     return fail(rest,
                 "`after` has two expressions: `after P, Q within 3 scans`");
   }
+  if (statement_.property.absent && !take_no(parts[1])) return;
   for (const Slice& part : parts) formula(part);
+}
+
+/// `no Q`, of which Q is left.
+bool LineParser::take_no(Slice& part) {
+  const bool is_no = part.text.starts_with("no") && part.text.size() > 2 &&
+                     !is_word_part(part.text[2]);
+  if (!is_no) {
+    fail(part, "`no` is missing: `after P, no Q for 500 ms`");
+    return false;
+  }
+  part = part.part(2);
+  return true;
 }
 
 /// P for 500 ms implies Q

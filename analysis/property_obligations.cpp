@@ -78,6 +78,9 @@ class ObligationMaker {
       case Property::Form::Latch:
         return latch();
       case Property::Form::After:
+        if (property().absent) {
+          return property().scans >= 0 ? none_for_scans() : none_for_time();
+        }
         return property().scans >= 0 ? within_scans() : within_time();
       case Property::Form::For:
         return held();
@@ -203,6 +206,34 @@ class ObligationMaker {
         exprs().less(exprs().word(limit), ts_.states[clock].next);
     add(Goal::Invariant, exprs().negation(exprs().conjunction(pending, late)),
         cause);
+  }
+
+  /// after P, no Q for N ms: a clock since the last P.
+  void none_for_time() {
+    const std::int64_t time = property().milliseconds;
+    const ExprId cause = formula(0);
+    const ExprId answer = formula(1);
+    const std::uint32_t clock = ts_.add_clock(monitor("since"), cause, time);
+    ts_.states[clock].init = time;  // never true yet
+    const ExprId long_ago =
+        exprs().less_equal(exprs().word(time), ts_.states[clock].next);
+    add(Goal::Invariant, exprs().implication(answer, long_ago), cause);
+  }
+
+  /// after P, no Q for N scans: the scan ends since the last P.
+  void none_for_scans() {
+    const std::int64_t scans = property().scans;
+    const ExprId cause = formula(0);
+    const ExprId answer = formula(1);
+    const std::uint32_t state =
+        ts_.add_state(monitor("since"), Type::Word, 0, scans, scans);
+    const ExprId older =
+        exprs().minimum(exprs().add(ts_.state_expr(state), exprs().word(1)),
+                        exprs().word(scans));
+    ts_.states[state].next = exprs().ite(cause, exprs().word(0), older);
+    const ExprId long_ago =
+        exprs().less_equal(exprs().word(scans), ts_.states[state].next);
+    add(Goal::Invariant, exprs().implication(answer, long_ago), cause);
   }
 
   /// P for N ms implies Q: a clock since the first of the last scan ends with

@@ -94,6 +94,7 @@ class PropertyWatch {
   void skip(const Simulator& after, std::uint64_t count) {
     for (FormulaWatch& formula : formulas_) formula.skip(count);
     if (open_scans_ >= 0) open_scans_ += static_cast<std::int64_t>(count);
+    if (property_.absent) note_cause(after);
     remember_true(after);
     if (property_.form != Property::Form::Settles) return;
     since_ = after.now_ms();
@@ -120,7 +121,8 @@ class PropertyWatch {
       case Property::Form::Latch:
         break;
       case Property::Form::After:
-        decided_ = response_late(simulator);
+        decided_ = property_.absent ? response_early(simulator)
+                                    : response_late(simulator);
         break;
       case Property::Form::For:
         decided_ = held_in_vain(simulator);
@@ -213,6 +215,22 @@ class PropertyWatch {
     return !in_ms && open_scans_ >= std::max<std::int64_t>(0, property_.scans);
   }
 
+  // A Q too soon behind the last P.
+  bool response_early(const Simulator& simulator) {
+    if (open_scans_ >= 0) ++open_scans_;
+    note_cause(simulator);
+    if (open_scans_ < 0 || !holds(1)) return false;
+    return property_.milliseconds >= 0
+               ? simulator.now_ms() - since_ < property_.milliseconds
+               : open_scans_ < property_.scans;
+  }
+
+  void note_cause(const Simulator& simulator) {
+    if (!holds(0)) return;
+    open_scans_ = 0;
+    since_ = simulator.now_ms();
+  }
+
   bool held_in_vain(const Simulator& simulator) {
     if (!holds(0)) {
       open_scans_ = -1;
@@ -231,7 +249,7 @@ class PropertyWatch {
     if (rested_ > 0 && rested_ <= property_.scans) {
       return static_cast<std::uint64_t>(property_.scans - rested_);
     }
-    if (open_scans_ < 0) return kForever;
+    if (open_scans_ < 0 || property_.absent) return kForever;
     const std::int64_t passed = simulator.now_ms() - since_;
     const std::int64_t left =
         saturating_subtract(property_.milliseconds, passed);

@@ -76,8 +76,9 @@ std::string broken_clause(const Property& property,
                          f[0]);
     case Property::Form::After:
       if (f.size() < 2) return "";
-      return fmt::format("`{}` came, and `{}` did not follow in time", f[0],
-                         f[1]);
+      return fmt::format(
+          "`{}` came, and `{}` {}", f[0], f[1],
+          property.absent ? "followed too soon" : "did not follow in time");
     case Property::Form::For:
       if (f.size() < 2) return "";
       return fmt::format("`{}` has been true for {}, yet `{}` is false", f[0],

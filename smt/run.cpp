@@ -133,6 +133,16 @@ void drop_last_scan(Stimulus& stimulus) {
   if (--stimulus.steps.back().repeat == 0) stimulus.steps.pop_back();
 }
 
+void cut_to(Stimulus& stimulus, std::uint64_t scans) {
+  std::size_t kept = 0;
+  while (kept < stimulus.steps.size() && scans > 0) {
+    StimulusStep& step = stimulus.steps[kept++];
+    step.repeat = std::min(step.repeat, scans);
+    scans -= step.repeat;
+  }
+  stimulus.steps.resize(kept);
+}
+
 namespace {
 
 /// Executes the terms of a run, scan by scan.

@@ -33,6 +33,8 @@ Stimulus to_stimulus(const TransitionSystem& ts, const FoundRun& run);
 
 std::uint64_t scans_of(const Stimulus& stimulus);
 void drop_last_scan(Stimulus& stimulus);
+/// Leaves its first `scans` scans.
+void cut_to(Stimulus& stimulus, std::uint64_t scans);
 
 /// How stretches are executed.
 enum class Stretches : std::uint8_t {

@@ -100,6 +100,11 @@ void Templates::sample(const Simulation& simulation) {
       column.words.push_back(simulation.value(leaves, lane));
     }
     if (!column.running.has_value()) continue;
+    // A monitor's clock runs always; that constant may be in no term.
+    if (column.running == ts_.exprs.bit(true)) {
+      column.runs.push_back(simulation.alive());
+      continue;
+    }
     const bool known = cone_->circuit().has(column.running);
     column.runs.push_back(
         known ? simulation.value(cone_->circuit().bit(column.running)) : 0);
@@ -261,8 +266,26 @@ void Templates::relate(std::uint32_t x, std::uint32_t y, bool guarded,
   offer(ts_.exprs.less_equal(q, p), more, guards, result);
 }
 
+/// The most that the clock x was behind y below `p`, while x ran: first
+/// whatever y did, then while y ran as well. No value: there was no such scan.
+Templates::Lags Templates::lags(const Column& x, const Column& y,
+                                std::int64_t p) const {
+  Lags most;
+  const auto raise = [](std::optional<std::int64_t>& lag, std::int64_t value) {
+    if (!lag || *lag < value) lag = value;
+  };
+  for (std::size_t at = 0; at < x.words.size(); ++at) {
+    const std::uint64_t counts = x.runs[at / 64] & alive_[at / 64];
+    if ((counts >> at % 64 & 1U) == 0 || x.words[at] >= p) continue;
+    const std::int64_t lag = y.words[at] - x.words[at];
+    raise(most.any, lag);
+    if ((y.runs[at / 64] >> at % 64 & 1U) != 0) raise(most.both, lag);
+  }
+  return most;
+}
+
 /// How far the clock x is behind y while x runs, and has not come to what it
-/// is compared with.
+/// is compared with; or, closer, while both of them run.
 void Templates::follow(std::uint32_t x, std::uint32_t y,
                        std::vector<Candidate>& result) {
   const Column& of_x = columns_[x];
@@ -272,22 +295,25 @@ void Templates::follow(std::uint32_t x, std::uint32_t y,
   const ExprId other = ts_.state_expr(cone_->states()[y]);
   for (const std::int64_t p : thresholds_[x]) {
     if (p <= ts_.exprs[clock].low + 1) continue;
-    constexpr std::int64_t kNone = -ExprArena::kUnbounded;
-    std::int64_t most = kNone;
-    for (std::size_t at = 0; at < of_x.words.size(); ++at) {
-      const std::uint64_t counts = of_x.runs[at / 64] & alive_[at / 64];
-      if ((counts >> at % 64 & 1U) == 0 || of_x.words[at] >= p) continue;
-      most = std::max(most, of_y.words[at] - of_x.words[at]);
-    }
-    if (most == kNone || most >= ts_.exprs[other].high - 1) continue;
-    const ExprId behind =
-        ts_.exprs.less_equal(other, ts_.exprs.add(clock, ts_.exprs.word(most)));
     const ExprId done = ts_.exprs.less_equal(ts_.exprs.word(p), clock);
-    if (ts_.exprs.is_constant(behind) || ts_.exprs.is_constant(done)) continue;
-    add({{behind, {}, 0, false},
-         {done, {}, 0, false},
-         {of_x.running, {}, 0, true}},
-        result);
+    const auto offer_lag = [&](std::int64_t lag, bool both) {
+      const ExprId behind = ts_.exprs.less_equal(
+          other, ts_.exprs.add(clock, ts_.exprs.word(lag)));
+      if (ts_.exprs.is_constant(behind) || ts_.exprs.is_constant(done)) return;
+      LemmaClause clause = {{behind, {}, 0, false}, {done, {}, 0, false}};
+      const auto while_runs = [&](ExprId running) {
+        if (ts_.exprs.is_constant(running)) return;
+        clause.push_back({running, {}, 0, true});
+      };
+      while_runs(of_x.running);
+      if (both) while_runs(of_y.running);
+      add(std::move(clause), result);
+    };
+    const Lags most = lags(of_x, of_y, p);
+    if (!most.any) continue;
+    const bool limits = *most.any < ts_.exprs[other].high - 1;
+    if (limits) offer_lag(*most.any, false);
+    if (most.both && *most.both < *most.any) offer_lag(*most.both, true);
   }
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <unordered_map>
 #include <unordered_set>
 #include <utility>
@@ -84,6 +85,11 @@ class Templates {
                std::vector<Candidate>& result);
   void relate(std::uint32_t x, std::uint32_t y, bool guarded,
               std::vector<Candidate>& result);
+  struct Lags {
+    std::optional<std::int64_t> any;
+    std::optional<std::int64_t> both;
+  };
+  Lags lags(const Column& x, const Column& y, std::int64_t p) const;
   void follow(std::uint32_t x, std::uint32_t y, std::vector<Candidate>& result);
   void offer(ExprId relation, const Lanes64& holds,
              const std::vector<std::uint32_t>& guards,

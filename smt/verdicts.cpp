@@ -16,17 +16,6 @@ constexpr std::uint64_t kMostRungs = 30'000'000;
 /// Test only: an invariant that no state meets; its initiation must fail.
 void corrupt(Invariant& invariant) { invariant.lemmas.emplace_back(); }
 
-/// The first `scans` scans of a run.
-void cut(Stimulus& stimulus, std::uint64_t scans) {
-  std::size_t kept = 0;
-  while (kept < stimulus.steps.size() && scans > 0) {
-    StimulusStep& step = stimulus.steps[kept++];
-    step.repeat = std::min(step.repeat, scans);
-    scans -= step.repeat;
-  }
-  stimulus.steps.resize(kept);
-}
-
 }  // namespace
 
 Verdicts::Verdicts(const Program& program, const PropertySet& properties,
@@ -219,7 +208,7 @@ void Verdicts::replay_into(const Target& target, ObligationResult& result) {
                             : "the run found breaks an assumption");
   }
   if (replayed.decided_at < result.scans) {
-    cut(stimulus, replayed.decided_at);
+    cut_to(stimulus, replayed.decided_at);
     replayed = replay(program_, properties_, obligation.property,
                       obligation.part, stimulus);
     result.scans = replayed.decided_at;

@@ -37,9 +37,7 @@ class PropertyGenerator {
         return "latch " + any(bits_) + " set " + expression() + " reset " +
                expression() + (tape_.pick(3) == 2 ? " dominant set" : "");
       case 6:
-        return "after " + expression() + ", " + expression() + " within " +
-               (tape_.pick(2) == 0 ? std::to_string(tape_.pick(5)) + " scans"
-                                   : milliseconds());
+        return response();
       case 7:
         return expression() + " for " + milliseconds() + " implies " +
                expression();
@@ -48,6 +46,16 @@ class PropertyGenerator {
       default:
         return expression() + " only after " + expression();
     }
+  }
+
+  std::string response() {
+    const std::string cause = "after " + expression();
+    const std::string answer = expression();
+    const std::string time = tape_.pick(2) == 0
+                                 ? std::to_string(tape_.pick(5)) + " scans"
+                                 : milliseconds();
+    return tape_.pick(2) == 0 ? cause + ", " + answer + " within " + time
+                              : cause + ", no " + answer + " for " + time;
   }
 
   std::string recoverable() { return "recoverable " + expression(); }

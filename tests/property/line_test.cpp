@@ -17,7 +17,8 @@ struct Case {
 std::string shown(const Property& property) {
   std::string text = property.name + " =";
   for (const std::string& formula : property.formulas) {
-    text += " {" + formula + "}";
+    const bool absent = property.absent && &formula == &property.formulas[1];
+    text += (absent ? " no {" : " {") + formula + "}";
   }
   if (property.milliseconds >= 0) {
     text += " " + std::to_string(property.milliseconds) + " ms";
@@ -62,6 +63,9 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"after I0, Q1 within 1 scan", "after@1 = {I0} {Q1} 1 scans"},
         Case{"after I0, Q1 within 0 ms", "after@1 = {I0} {Q1} 0 ms"},
         Case{"after I0, Q1 within 2 min", "after@1 = {I0} {Q1} 120000 ms"},
+        Case{"after I0, no Q1 for 500 ms", "after@1 = {I0} no {Q1} 500 ms"},
+        Case{"after I0, no Q1 for 2 scans", "after@1 = {I0} no {Q1} 2 scans"},
+        Case{"after I0, no(Q1) for 1 s", "after@1 = {I0} no {(Q1)} 1000 ms"},
         Case{"after I0, Q1 within 500ms", "after@1 = {I0} {Q1} 500 ms"},
         Case{"I0 for 500 ms implies Q3", "for@1 = {I0} {Q3} 500 ms"},
         Case{"q: I0 for 0.5 s implies Q3 -> Q1", "q = {I0} {Q3 -> Q1} 500 ms"},
@@ -133,6 +137,16 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"latch Q0 set I0 reset", "RP060 [] an expression is missing here"},
         Case{"after I0, Q1",
              "RP060 [] `within` is missing: `after P, Q within 500 ms`"},
+        Case{"after I0, Q1 for 500 ms",
+             "RP060 [Q1] `no` is missing: `after P, no Q for 500 ms`"},
+        Case{"after I0, nothing for 500 ms",
+             "RP060 [nothing] `no` is missing: `after P, no Q for 500 ms`"},
+        Case{"after I0, no for 500 ms",
+             "RP060 [no] `no` is missing: `after P, "
+             "no Q for 500 ms`"},
+        Case{"after no I0 for 500 ms",
+             "RP060 [no I0 for 500 ms] `after` has two expressions: `after P, "
+             "Q within 3 scans`"},
         Case{"after I0 within 3 scans",
              "RP060 [I0 within 3 scans] `after` has two expressions: `after P, "
              "Q within 3 scans`"},

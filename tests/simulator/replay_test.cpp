@@ -139,6 +139,24 @@ TEST(Replay, ResponseWithinTime) {
   EXPECT_EQ(decided(property, {"10", "01"}, 21), 2U);
 }
 
+TEST(Replay, NoneForSoLong) {
+  Property property = property_of(Form::After, {"P", "Q"});
+  property.absent = true;
+  property.milliseconds = 20;
+  EXPECT_EQ(decided(property, {"1000", "0010"}), 0U);
+  EXPECT_EQ(decided(property, {"1000", "0100"}), 2U);
+  EXPECT_EQ(decided(property, {"1000", "1000"}), 1U);
+  EXPECT_EQ(decided(property, {"1100", "0010"}), 3U) << "the latest decides";
+  EXPECT_EQ(decided(property, {"0010", "1100"}), 0U) << "Q may be before P";
+  property.milliseconds = -1;
+  property.scans = 2;
+  EXPECT_EQ(decided(property, {"1000", "0011"}), 0U);
+  EXPECT_EQ(decided(property, {"1000", "0101"}), 2U);
+  property.scans = 1;
+  EXPECT_EQ(decided(property, {"1000", "0100"}), 0U);
+  EXPECT_EQ(decided(property, {"0001", "0001"}), 4U);
+}
+
 TEST(Replay, HeldForATime) {
   Property property = property_of(Form::For, {"P", "Q"});
   property.milliseconds = 20;
@@ -278,6 +296,10 @@ TEST_F(LongRun, Deadlines) {
   expect_same(response, 40 + 4323);
   response.milliseconds = 5000;
   expect_same(response, 0);
+  Property none = property_of(Form::After, {"in", "Q"});
+  none.absent = true;
+  none.milliseconds = 1;
+  expect_same(none, 40 + 5001);
   response.milliseconds = -1;
   response.scans = 4321;
   expect_same(response, 40 + 4322);
