@@ -140,6 +140,34 @@ void run(const Stimulus& stimulus, std::uint64_t limit, WaitWatch& watch) {
   }
 }
 
+std::string_view trimmed(std::string_view text) {
+  return Slice{text, {}}.part(0).text;
+}
+
+/// Drops `(` in front of `left`, and as many `)` behind `right`, which are
+/// around both.
+void unwrap(std::string_view& left, std::string_view& right) {
+  const auto opened = std::count(left.begin(), left.end(), '(') -
+                      std::count(left.begin(), left.end(), ')');
+  for (std::ptrdiff_t i = 0; i < opened; ++i) {
+    left = trimmed(left.substr(1));
+    right = trimmed(right.substr(0, right.size() - 1));
+  }
+}
+
+/// A node's range leaves parentheses around it out: so the text is cut at the
+/// arrow between both.
+ResponseQuestion sides_of(const Formula& formula, std::string_view text) {
+  const std::uint32_t right_root = formula.root() - 1;
+  const FormulaNode& right_node = formula.nodes[right_root];
+  const FormulaNode& left_node = formula.nodes[right_root - right_node.size];
+  const std::size_t arrow = text.find("->", left_node.end);
+  std::string_view left = trimmed(text.substr(0, arrow));
+  std::string_view right = trimmed(text.substr(arrow + 2));
+  unwrap(left, right);
+  return {std::string(left), std::string(right)};
+}
+
 }  // namespace
 
 std::optional<ResponseQuestion> read_response(Program& program,
@@ -157,13 +185,7 @@ std::optional<ResponseQuestion> read_response(Program& program,
                  .message = "a response is asked for as `P -> Q`"});
     return std::nullopt;
   }
-  const std::uint32_t right = formula.root() - 1;
-  const std::uint32_t left = right - formula.nodes[right].size;
-  const auto part = [&](std::uint32_t node) {
-    const FormulaNode& at = formula.nodes[node];
-    return std::string(text.text.substr(at.begin, at.end - at.begin));
-  };
-  ResponseQuestion question = {part(left), part(right)};
+  ResponseQuestion question = sides_of(formula, text.text);
   // With what remembers around it, it looks back further.
   if (!checker.check_made(rise_of(question), text.where)) return std::nullopt;
   return question;

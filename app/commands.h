@@ -6,6 +6,7 @@ namespace rung {
 
 /// One function a subcommand; each returns the exit code.
 int run_check(const Options& options);  // check, lint and prove
+int run_bound(const Options& options);
 int run_equiv(const Options& options);
 int run_lower(const Options& options);
 int run_export(const Options& options);

@@ -28,6 +28,7 @@ struct RawOptions {
   std::vector<std::string> inject;
   bool quiet = false;
   bool verbose = false;
+  std::string file;  // of a command with one, and more arguments behind it
   std::string scans;
   std::string dt;
 };
@@ -118,6 +119,7 @@ void check_texts(const RawOptions& raw, Options& options) {
   for (const std::string& format : raw.formats) {
     options.formats.push_back(parse_format(format));
   }
+  if (!raw.file.empty()) options.files = {raw.file};
   if (!raw.scan.empty()) options.scan = parse_scan(raw.scan);
   for (const std::string& map : raw.map) options.map.push_back(parse_map(map));
   options.fail_on = parse_severity(raw.fail_on);
@@ -240,6 +242,11 @@ void add_commands(CLI::App& app, RawOptions& raw, Options& options) {
   prove->add_flag("--sweep", options.sweep,
                   "under every preset of semantics that fits the language");
   add_equiv(app, options);
+  CLI::App* bound =
+      add_command(app, "bound", "how long from P to Q, at worst and at best");
+  bound->add_option("FILE", raw.file, "a program; - is standard input")
+      ->required();
+  bound->add_option("QUESTION", options.question, "P -> Q")->required();
   CLI::App* lower =
       add_command(app, "lower", "write a program in another language");
   add_files(lower, options, 1, 1);
@@ -270,9 +277,9 @@ void add_commands(CLI::App& app, RawOptions& raw, Options& options) {
   rule->add_option("CODE", options.rule, "a code or a name; else a list");
 }
 
-constexpr std::string_view kCommandNames[] = {"check",  "lint",   "prove",
-                                              "equiv",  "lower",  "run",
-                                              "export", "render", "rule"};
+constexpr std::string_view kCommandNames[] = {
+    "check", "lint", "prove",  "equiv",  "bound",
+    "lower", "run",  "export", "render", "rule"};
 
 /// CLI11 would say that a command is missing, and not which ones there are.
 std::optional<std::string> unknown_command(int argc, char** argv) {

@@ -51,6 +51,8 @@ struct Options {
   bool settled = false;
   std::string revision;  // compare with it: --git REV
 
+  std::string question;  // bound: "P -> Q"
+
   bool inject_wrong_invariant = false;
   bool inject_wrong_trace = false;
   // lower, run, render, rule

@@ -59,6 +59,12 @@ std::string render(const RunReport& report, std::string_view format,
   return write_text(report, text_options(options, colour));
 }
 
+std::string render(const BoundReport& report, std::string_view format,
+                   const Options& options, bool colour) {
+  if (format == "json") return write_json(report);
+  return write_text(report, text_options(options, colour));
+}
+
 int exit_status(const RunReport&) { return 0; }
 
 template <class AnyReport>
@@ -183,6 +189,10 @@ int emit(const EquivalenceReport& report, const Options& options) {
 }
 
 int emit(const RunReport& report, const Options& options) {
+  return emit_all(report, options);
+}
+
+int emit(const BoundReport& report, const Options& options) {
   return emit_all(report, options);
 }
 

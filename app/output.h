@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "app/options.h"
+#include "reports/bound.h"
 #include "reports/equivalence.h"
 #include "reports/report.h"
 #include "reports/run.h"
@@ -40,5 +41,6 @@ int print_input_errors(const SourceSet& sources, const FileReport& report,
 int emit(const Report& report, const Options& options);
 int emit(const EquivalenceReport& report, const Options& options);
 int emit(const RunReport& report, const Options& options);
+int emit(const BoundReport& report, const Options& options);
 
 }  // namespace rung

@@ -3,7 +3,7 @@
 
 _rungproof() {
   local current=${COMP_WORDS[COMP_CWORD]} previous=${COMP_WORDS[COMP_CWORD-1]}
-  local commands="check lint prove equiv lower export run render rule"
+  local commands="check lint prove equiv bound lower export run render rule"
   local common="--help --version --format --scan --semantics --stable-inputs --pou --dialect
     --language --props --timeout --engine --jobs --fail-on --color --quiet
     --verbose --property --self-check --recheck --certificates --map"

@@ -1,11 +1,12 @@
 # fish completion of rungproof; tests/app/manual_test.cpp compares it with the
 # options that the program has.
 
-set -l commands check lint prove equiv lower export run render rule
+set -l commands check lint prove equiv bound lower export run render rule
 complete -c rungproof -f -n "not __fish_seen_subcommand_from $commands" -a check -d 'findings and proofs, one report'
 complete -c rungproof -f -n "not __fish_seen_subcommand_from $commands" -a lint -d 'findings only'
 complete -c rungproof -f -n "not __fish_seen_subcommand_from $commands" -a prove -d 'properties only'
 complete -c rungproof -f -n "not __fish_seen_subcommand_from $commands" -a equiv -d 'are two programs the same?'
+complete -c rungproof -f -n "not __fish_seen_subcommand_from $commands" -a bound -d 'how long from P to Q'
 complete -c rungproof -f -n "not __fish_seen_subcommand_from $commands" -a lower -d 'write a program in another language'
 complete -c rungproof -f -n "not __fish_seen_subcommand_from $commands" -a export -d 'what is to be proved, for other model checkers'
 complete -c rungproof -f -n "not __fish_seen_subcommand_from $commands" -a run -d 'simulate'

@@ -58,6 +58,11 @@ class PropertyGenerator {
                               : cause + ", no " + answer + " for " + time;
   }
 
+  std::string question() {
+    const std::string cause = expression();
+    return "(" + cause + ") -> (" + expression() + ")";
+  }
+
   std::string recoverable() { return "recoverable " + expression(); }
 
   std::string assumption() {
@@ -166,6 +171,10 @@ std::string generate_property(const Program& program, Tape& tape,
 std::string generate_recoverable(const Program& program, Tape& tape) {
   PropertyGenerator generator(program, tape, PropertyTimes::Short);
   return "//@ " + generator.recoverable() + "\n";
+}
+
+std::string generate_question(const Program& program, Tape& tape) {
+  return PropertyGenerator(program, tape, PropertyTimes::Short).question();
 }
 
 std::string generate_assumption(const Program& program, Tape& tape) {

@@ -19,6 +19,9 @@ std::string generate_property(const Program& program, Tape& tape,
 /// The same, a `recoverable` line.
 std::string generate_recoverable(const Program& program, Tape& tape);
 
+/// `P -> Q`, as `rungproof bound` asks it.
+std::string generate_question(const Program& program, Tape& tape);
+
 /// An `//@ assume` line over its bit inputs; empty when it has none.
 std::string generate_assumption(const Program& program, Tape& tape);
 

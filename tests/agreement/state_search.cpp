@@ -49,12 +49,7 @@ class Search {
   }
 
  private:
-  struct Edge {  // a scan
-    std::uint32_t from = 0;
-    std::uint32_t to = 0;
-    std::uint64_t number = 0;  // of scans to its end, at least
-    std::uint64_t goals = 0;   // by obligation: it ends with the condition
-  };
+  using Edge = StateSearch::Edge;
 
   /// The state's number; a new one is visited later.
   std::uint32_t place(const StateValues& state) {
@@ -79,12 +74,12 @@ class Search {
     };
     for (bool more = true; more;) {
       more = false;
-      for (const Edge& edge : edges_) {
+      for (const Edge& edge : result_.edges) {
         if (leads[edge.from] || !(is_goal(edge) || leads[edge.to])) continue;
         leads[edge.from] = more = true;
       }
     }
-    for (const Edge& edge : edges_) {
+    for (const Edge& edge : result_.edges) {
       if (is_goal(edge) || leads[edge.to]) continue;
       std::uint64_t& at = result_.decided_at[obligation];
       if (at == 0 || edge.number < at) at = edge.number;
@@ -108,7 +103,7 @@ class Search {
         const std::uint32_t from = place(state);
         const std::uint32_t to = place(after);
         if (result_.reached_in[to] == 0) result_.reached_in[to] = scan;
-        edges_.push_back({from, to, scan, goals});
+        result_.edges.push_back({from, to, dt, scan, goals});
       }
     }
   }
@@ -148,7 +143,6 @@ class Search {
   std::uint64_t scan_ = 0;
   std::vector<VarId> bits_;
   std::unordered_map<std::string, std::uint32_t> seen_;  // the values' bytes
-  std::vector<Edge> edges_;
   std::vector<StateValues> next_;
   StateSearch result_;
 };

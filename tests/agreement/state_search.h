@@ -11,6 +11,14 @@ namespace rung {
 /// Every reachable state of a small system, one by one: what engines say can
 /// be held against it.
 struct StateSearch {
+  struct Edge {  // a scan, between states by number
+    std::uint32_t from = 0;
+    std::uint32_t to = 0;
+    std::int64_t dt_ms = 0;
+    std::uint64_t number = 0;  // of scans to its end, at least
+    std::uint64_t goals = 0;   // by obligation: it ends with the condition
+  };
+  std::vector<Edge> edges;
   /// By obligation: scans of a shortest run at whose end an invariant's
   /// condition is false, or a reach obligation's true, or from whose end no
   /// run leads to a recover obligation's; 0 when no run has one.

@@ -77,6 +77,7 @@ void add_documented(const std::string& page, std::vector<Example>& examples) {
 std::vector<Example> documented() {
   std::vector<Example> examples;
   add_documented("docs/properties.md", examples);
+  add_documented("docs/bound.md", examples);
   add_documented("docs/engines.md", examples);
   std::vector<std::string> pages;
   for (const auto& entry :
