@@ -177,7 +177,7 @@ void add_common(CLI::App& app, RawOptions& raw, Options& options) {
   app.add_option("--props", options.props, "property lines in a file");
   app.add_option("--timeout", options.timeout, "seconds for one program");
   app.add_option("--engine", options.engine, "one engine instead of all");
-  app.add_option("--jobs", options.jobs, "programs at a time")
+  app.add_option("--jobs", options.jobs, "programs, or parts of one, at a time")
       ->check(CLI::Range(1U, 1024U));
   app.add_option("--fail-on", raw.fail_on,
                  "exit 1 for findings from here: note, warning, error");

@@ -73,6 +73,8 @@ VerifyOptions Session::verify_options(std::size_t index) {
   VerifyOptions verify;
   verify.budget.seconds = options_.timeout;
   verify.engine = options_.engine;
+  const auto files = static_cast<unsigned>(inputs_.size());
+  verify.jobs = std::max(1U, options_.jobs / std::max(1U, files));
   verify.self_check = options_.self_check;
   verify.recheck = options_.recheck;
   verify.smtlib_directory = options_.certificates;

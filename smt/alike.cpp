@@ -4,6 +4,7 @@
 #include <unordered_set>
 
 #include "smt/bit_blast.h"
+#include "smt/rebuilt.h"
 #include "smt/term_order.h"
 
 namespace rung {
@@ -135,39 +136,16 @@ ExprId Renaming::term(ExprId of_model) {
     stack.pop_back();
     if (terms_.count(id) != 0) continue;
     // Variables that no target depends on are in no part.
-    terms_.emplace(id, under.count == 0 ? id : rebuilt(e));
+    terms_.emplace(id, under.count == 0 ? id : over_known(e));
   }
   return known(of_model);
 }
 
-ExprId Renaming::rebuilt(const Expr& e) {
-  ExprArena& exprs = ts_.exprs;
-  switch (e.op) {
-    case ExprOp::Not:
-      return exprs.negation(known(e.a));
-    case ExprOp::And:
-      return exprs.conjunction(known(e.a), known(e.b));
-    case ExprOp::Xor:
-      return exprs.exclusive_or(known(e.a), known(e.b));
-    case ExprOp::Equal:
-      return exprs.equal(known(e.a), known(e.b));
-    case ExprOp::Less:
-      return exprs.less(known(e.a), known(e.b));
-    case ExprOp::Add:
-      return exprs.add(known(e.a), known(e.b));
-    case ExprOp::Multiply:
-      return exprs.multiply(known(e.a), known(e.b));
-    case ExprOp::Divide:
-      return exprs.divide(known(e.a), exprs[e.b].value);
-    case ExprOp::Wrap16:
-      return exprs.wrap16(known(e.a));
-    case ExprOp::Ite:
-      return exprs.ite(known(e.a), known(e.b), known(e.c));
-    case ExprOp::Constant:
-    case ExprOp::Variable:
-      break;
-  }
-  return {};
+ExprId Renaming::over_known(const Expr& e) {
+  const auto operand = [&](ExprId id) {
+    return id.has_value() ? known(id) : id;
+  };
+  return rebuilt(ts_.exprs, e, operand(e.a), operand(e.b), operand(e.c));
 }
 
 VarId Renaming::variable(VarId of_model) const {

@@ -49,7 +49,7 @@ class Renaming {
 
  private:
   ExprId term(ExprId of_model);
-  ExprId rebuilt(const Expr& e);
+  ExprId over_known(const Expr& e);
   VarId variable(VarId of_model) const;
   ExprId known(ExprId of_model) const { return terms_.at(of_model); }
 

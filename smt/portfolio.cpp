@@ -162,8 +162,8 @@ void Portfolio::learn(std::vector<Candidate> lemmas, std::uint32_t k, bool all,
 void Portfolio::simulate(std::uint32_t steps, bool sample, Sought wanted) {
   std::vector<std::int64_t> first = first_inputs(cone_, *options_.deadline);
   if (first.empty() && !cone_.inputs().empty()) return;
-  simulation_ =
-      std::make_unique<Simulation>(cone_, &jump(), fault_, std::move(first));
+  simulation_ = std::make_unique<Simulation>(cone_, &jump(), fault_,
+                                             std::move(first), options_.seed);
   if (sample) {
     templates_ = std::make_unique<Templates>(ts_, cone_, terms(targets_));
   }

@@ -21,6 +21,7 @@ struct PortfolioOptions {
   std::string engine;  // empty: all of them
   std::uint32_t max_depth = 200;
   const Deadline* deadline = nullptr;
+  std::uint64_t seed = 0;  // of random runs
 };
 
 /// Decides the targets of one cone, cheapest engine first; what one engine

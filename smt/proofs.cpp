@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "smt/attempt.h"
+
 namespace rung {
 
 std::size_t Proofs::add(Invariant invariant, std::vector<ExprId> goals,
@@ -16,7 +18,13 @@ void Proofs::check(const CertificateOptions& options) {
   CertificateOptions own = options;
   for (Proof& proof : proofs_) {
     own.name = proof.name;
-    proof.report = session_.check(ts_, proof.invariant, proof.goals, own);
+    const std::string failure = attempt([&] {
+      proof.report = session_.check(ts_, proof.invariant, proof.goals, own);
+    });
+    if (!failure.empty()) {
+      proof.report = {};
+      proof.report.what = failure;
+    }
   }
 }
 

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "analysis/simulator.h"
+#include "smt/attempt.h"
 #include "smt/faults.h"
 #include "smt/recovery_check.h"
 
@@ -61,12 +62,19 @@ void RecoveryAnswers::search(const std::vector<ExprId>& goals,
       const bool is_open = one.recovery.answer == Recovery::Answer::Unknown;
       if (!is_open || !is_new) continue;
       const Clock::time_point start = Clock::now();
-      if (one.search == nullptr) {
-        one.search =
-            std::make_unique<RecoverySearch>(ts_, growth, goal, engines);
-      }
       one.asked = patience;
-      one.recovery = one.search->decide(patience);
+      const std::string failure = attempt([&] {
+        if (one.search == nullptr) {
+          one.search =
+              std::make_unique<RecoverySearch>(ts_, growth, goal, engines);
+        }
+        one.recovery = one.search->decide(patience);
+      });
+      if (!failure.empty()) {
+        one.recovery = {};
+        one.recovery.reason = "an engine failed: " + failure;
+        one.asked = Patience::Long;
+      }
       one.milliseconds += milliseconds_since(start);
       const bool keep = one.recovery.answer == Recovery::Answer::Unknown &&
                         patience == Patience::Short;
@@ -83,19 +91,26 @@ CheckedAnswer RecoveryAnswers::answer(const Obligation& obligation) {
   CheckedAnswer answer;
   answer.result.obligation = obligation;
   answer.result.engine = recovery.engine;
-  switch (recovery.answer) {
-    case Recovery::Answer::Recoverable:
-      conclude_recoverable(recovery, answer);
-      break;
-    case Recovery::Answer::Stuck:
-      conclude_stuck(recovery, answer);
-      break;
-    case Recovery::Answer::Unknown:
-      answer.result.reason = recovery.reason;
-      break;
+  const std::string failure = attempt([&] { conclude(recovery, answer); });
+  if (!failure.empty()) {
+    answer = {};
+    answer.result.obligation = obligation;
+    answer.result.reason = "it could not be concluded: " + failure;
   }
   answer.result.milliseconds = decided.milliseconds + milliseconds_since(start);
   return answer;
+}
+
+void RecoveryAnswers::conclude(const Recovery& recovery,
+                               CheckedAnswer& answer) {
+  switch (recovery.answer) {
+    case Recovery::Answer::Recoverable:
+      return conclude_recoverable(recovery, answer);
+    case Recovery::Answer::Stuck:
+      return conclude_stuck(recovery, answer);
+    case Recovery::Answer::Unknown:
+      answer.result.reason = recovery.reason;
+  }
 }
 
 /// Notes the certificate's check; a verdict only where it was accepted.

@@ -40,6 +40,7 @@ class RecoveryAnswers {
     double milliseconds = 0;
   };
 
+  void conclude(const Recovery& recovery, CheckedAnswer& answer);
   void conclude_recoverable(const Recovery& recovery, CheckedAnswer& answer);
   void conclude_stuck(const Recovery& recovery, CheckedAnswer& answer);
   bool is_accepted(const CertificateReport& report, CheckedAnswer& answer);

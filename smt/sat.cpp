@@ -41,12 +41,36 @@ struct Sat::Impl {
   CaDiCaL::Solver solver;
   DeadlineTerminator terminator;
   int variables = 0;
+  bool failed = false;  // a call of the solver did not come back
+
+  template <class Action>
+  auto use(Action action) {
+    failed = true;
+    const auto result = action(solver);
+    failed = false;
+    return result;
+  }
+  template <class Clause>
+  void add(const Clause& clause) {
+    use([&](CaDiCaL::Solver& s) {
+      for (int literal : clause) s.add(literal);
+      s.add(0);
+      return true;
+    });
+  }
 };
 
 Sat::Sat(const Deadline* deadline) : deadline_(deadline) {}
 
 Sat::~Sat() {
-  if (impl_ != nullptr) impl_->solver.disconnect_terminator();
+  if (impl_ == nullptr) return;
+  // After an exception, most often for want of memory, the solver ends the
+  // process when it is touched again: it is left where it is.
+  if (impl_->failed) {
+    static_cast<void>(impl_.release());
+  } else {
+    impl_->solver.disconnect_terminator();
+  }
 }
 
 /// The solver costs more to make than many a session to decide, and some never
@@ -70,30 +94,34 @@ Sat::Impl& Sat::impl() const {
 
 int Sat::new_variable() { return ++impl().variables; }
 
-void Sat::add(std::initializer_list<int> clause) {
-  for (int literal : clause) impl().solver.add(literal);
-  impl().solver.add(0);
-}
+void Sat::add(std::initializer_list<int> clause) { impl().add(clause); }
 
-void Sat::add(const std::vector<int>& clause) {
-  for (int literal : clause) impl().solver.add(literal);
-  impl().solver.add(0);
-}
+void Sat::add(const std::vector<int>& clause) { impl().add(clause); }
 
-void Sat::assume(int literal) { impl().solver.assume(literal); }
+void Sat::assume(int literal) {
+  impl().use([&](CaDiCaL::Solver& solver) {
+    solver.assume(literal);
+    return true;
+  });
+}
 
 void Sat::constrain(const std::vector<int>& clause) {
-  for (int literal : clause) impl().solver.constrain(literal);
-  impl().solver.constrain(0);
+  impl().use([&](CaDiCaL::Solver& solver) {
+    for (int literal : clause) solver.constrain(literal);
+    solver.constrain(0);
+    return true;
+  });
 }
 
 SatAnswer Sat::solve(std::int64_t conflicts) {
-  // An unused variable must be known to the solver before value() asks it.
-  impl().solver.reserve(impl().variables);
-  if (conflicts >= 0) {
-    impl().solver.limit("conflicts", static_cast<int>(conflicts));
-  }
-  switch (impl().solver.solve()) {
+  const int variables = impl().variables;
+  const int status = impl().use([&](CaDiCaL::Solver& solver) {
+    // An unused variable must be known to the solver before value() asks it.
+    solver.reserve(variables);
+    if (conflicts >= 0) solver.limit("conflicts", static_cast<int>(conflicts));
+    return solver.solve();
+  });
+  switch (status) {
     case 10:
       return SatAnswer::Sat;
     case 20:

@@ -18,13 +18,14 @@ constexpr std::size_t kStarts = 64;
 }  // namespace
 
 Simulation::Simulation(Cone& cone, const JumpCircuit* jump, AigLit never,
-                       std::vector<std::int64_t> first)
+                       std::vector<std::int64_t> first, std::uint64_t seed)
     : cone_(&cone),
       jump_(jump != nullptr && jump->useful() ? jump : nullptr),
       legal_(
           cone.circuit().aig().conjunction(cone.constraint(), aig_not(never))),
       lanes_(cone.circuit().aig()),
       turns_(cone) {
+  seed_ += 2 * seed;  // odd, so never 0
   for (std::size_t i = 0; i < cone.inputs().size(); ++i) {
     const Word& leaves = cone.circuit().leaves(cone.inputs()[i]);
     for (std::uint32_t lane = 0; lane < Lanes::kCount; ++lane) {

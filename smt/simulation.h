@@ -30,7 +30,7 @@ class Simulation {
   /// `first` is a model of the inputs that the constraints allow, by
   /// Cone::inputs().
   Simulation(Cone& cone, const JumpCircuit* jump, AigLit never,
-             std::vector<std::int64_t> first);
+             std::vector<std::int64_t> first, std::uint64_t seed = 0);
 
   /// One more scan of every lane, and the stretch behind the scan before.
   void step();

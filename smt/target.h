@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 #include <string_view>
 
 #include "analysis/transition_system.h"
@@ -40,6 +41,7 @@ struct Target {
   bool met = false;         // some random run reached it
   RandomHit hit;            // in the last simulation
   std::uint32_t bound = 0;  // Open: no run of so many scans reaches it
+  std::string failure;      // Open: of an engine; empty: none
 
   bool doubtful() const { return status == Status::Open && !met; }
 };

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "analysis/simulator.h"
+#include "smt/attempt.h"
 #include "smt/faults.h"
 
 namespace rung {
@@ -86,7 +87,14 @@ VerifyReport Verdicts::report() {
   }
   VerifyReport report;
   for (std::size_t i = 0; i < questions_.obligations.size(); ++i) {
-    report.results.push_back(conclude(i));
+    ObligationResult result;
+    const std::string failure = attempt([&] { result = conclude(i); });
+    if (!failure.empty()) {
+      result = {};
+      result.obligation = questions_.obligations[i];
+      result.reason = "it could not be concluded: " + failure;
+    }
+    report.results.push_back(std::move(result));
   }
   report.failures = std::move(failures_);
   return report;
@@ -298,7 +306,9 @@ void Verdicts::conclude_open(const Target& target, ObligationResult& result) {
   result.engine = "bmc";
   result.scans = target.bound;
   const Obligation& obligation = result.obligation;
-  if (obligation.goal == Goal::Invariant && target.bound > 0) {
+  if (!target.failure.empty()) {
+    result.reason = "an engine failed: " + target.failure;
+  } else if (obligation.goal == Goal::Invariant && target.bound > 0) {
     result.verdict = Verdict::Bounded;
     result.reason = open_fault(target);
     if (!result.reason.empty()) result.verdict = Verdict::Unknown;

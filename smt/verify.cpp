@@ -2,28 +2,23 @@
 
 #include <algorithm>
 #include <array>
-#include <chrono>
 #include <iterator>
 #include <map>
 #include <unordered_map>
 #include <utility>
 
 #include "smt/alike.h"
+#include "smt/attempt.h"
 #include "smt/certificate.h"
 #include "smt/merged_run.h"
 #include "smt/partition.h"
 #include "smt/portfolio.h"
 #include "smt/recovery_answers.h"
+#include "smt/side_by_side.h"
 #include "smt/verdicts.h"
 
 namespace rung {
 namespace {
-
-double milliseconds_since(std::chrono::steady_clock::time_point start) {
-  return std::chrono::duration<double, std::milli>(
-             std::chrono::steady_clock::now() - start)
-      .count();
-}
 
 /// Is there a first scan that the assumptions allow?
 bool satisfiable(const TransitionSystem& ts, const Deadline& deadline) {
@@ -63,23 +58,20 @@ class Verifier {
   }
 
   VerifyReport run() {
-    if (!satisfiable(ts_, deadline_)) return verdicts_.no_run_at_all();
-    prelude();
-    for (std::size_t i = 0; i < parts_.size(); ++i) {
-      if (options_.progress) progress(i, parts_.size());
-      decide(i);
-    }
+    bool any_run = true;
+    attempt([&] { any_run = satisfiable(ts_, deadline_); });
+    if (!any_run) return verdicts_.no_run_at_all();
+    // What is not done here is done by the engines, or later.
+    const std::string failure = attempt([&] { prelude(); });
+    if (!failure.empty()) forget();
+    decide_models();
+    for (std::size_t i = 0; i < parts_.size(); ++i) conclude(i);
     recover_all();
-    if (options_.self_check) replay_found();
+    if (options_.self_check) attempt([&] { replay_found(); });
     return verdicts_.report();
   }
 
  private:
-  struct Decided {  // a part
-    Invariant invariant;
-    bool overflow = false;
-  };
-
   static std::vector<ExprId> terms(const std::vector<Target>& targets) {
     std::vector<ExprId> result;
     result.reserve(targets.size());
@@ -93,7 +85,8 @@ class Verifier {
   }
 
   PortfolioOptions portfolio_options() const {
-    return {options_.engine, options_.budget.max_depth, &deadline_};
+    return {options_.engine, options_.budget.max_depth, &deadline_,
+            options_.seed};
   }
 
   /// All targets at once, of parts that are alike those of the first; runs
@@ -210,45 +203,69 @@ class Verifier {
         std::max_element(count.begin(), count.end()) - count.begin());
   }
 
-  void decide(std::size_t part) {
-    const auto start = std::chrono::steady_clock::now();
-    Decided as_model;
-    const bool alike = decide_like_model(part, as_model);
-    if (!alike) decide_by_engines(part);
-    const Decided& made = alike ? as_model : decided_[part];
+  /// All parts that are like none before them.
+  void decide_models() {
+    std::vector<std::size_t> models;
+    for (std::size_t i = 0; i < parts_.size(); ++i) {
+      if (alike_.model(i) == i) models.push_back(i);
+    }
+    decide_by_engines(models);
+  }
+
+  void decide_by_engines(const std::vector<std::size_t>& parts) {
+    std::vector<std::size_t> open;
+    std::vector<std::vector<Target*>> groups;
+    for (const std::size_t part : parts) {
+      std::vector<Target*> targets;
+      bool any_open = false;
+      for (const std::size_t i : parts_[part]) {
+        Target& target = questions_.targets[i];
+        targets.push_back(&target);
+        any_open = any_open || target.status == Target::Status::Open;
+      }
+      if (any_open) {
+        open.push_back(part);
+        groups.push_back(std::move(targets));
+      } else {
+        decided_[part].invariant = shown_by_structure(targets);
+      }
+    }
+    std::vector<GroupAnswer> answers =
+        decide_side_by_side(ts_, growth_, groups, portfolio_options(),
+                            options_.jobs, [&](std::size_t group) {
+                              if (options_.progress)
+                                progress(open[group], parts_.size());
+                            });
+    for (std::size_t i = 0; i < open.size(); ++i) {
+      decided_[open[i]] = std::move(answers[i]);
+    }
+  }
+
+  static Invariant shown_by_structure(const std::vector<Target*>& targets) {
+    Invariant invariant;
+    for (const Target* target : targets) {
+      if (target->status != Target::Status::Unreachable) continue;
+      invariant.k = std::max(invariant.k, target->k);
+      invariant.conditions.push_back(target->never);
+    }
+    return invariant;
+  }
+
+  void conclude(std::size_t part) {
+    GroupAnswer as_model;
+    const bool is_model = alike_.model(part) == part;
+    const bool alike = !is_model && decide_like_model(part, as_model);
+    if (!is_model && !alike) decide_by_engines({part});
+    const GroupAnswer& made = alike ? as_model : decided_[part];
     const double share =
-        milliseconds_since(start) / static_cast<double>(parts_[part].size());
+        made.milliseconds / static_cast<double>(parts_[part].size());
     verdicts_.decided(parts_[part], made.invariant, made.overflow, share);
   }
 
-  void decide_by_engines(std::size_t part) {
-    std::vector<Target*> targets;
-    bool open = false;
-    Invariant invariant;
-    for (std::size_t i : parts_[part]) {
-      Target& target = questions_.targets[i];
-      targets.push_back(&target);
-      open = open || target.status == Target::Status::Open;
-      if (target.status != Target::Status::Unreachable) continue;
-      invariant.k = std::max(invariant.k, target.k);
-      invariant.conditions.push_back(target.never);
-    }
-    bool overflow = false;
-    if (open) {
-      Portfolio portfolio(ts_, growth_, std::move(targets),
-                          portfolio_options());
-      portfolio.run();
-      invariant = portfolio.invariant();
-      overflow = portfolio.cone().circuit().overflow();
-    }
-    decided_[part] = {std::move(invariant), overflow};
-  }
-
-  /// False when the part is like no other, or when a run of random inputs that
-  /// its model met a target by, and that was not kept, was not one for it.
-  bool decide_like_model(std::size_t part, Decided& made) {
+  /// False when a run of random inputs that its model met a target by, and that
+  /// was not kept, was not one for it.
+  bool decide_like_model(std::size_t part, GroupAnswer& made) {
     const std::size_t model = alike_.model(part);
-    if (model == part) return false;
     for (std::size_t i : parts_[part]) {
       const Target& from = questions_.targets[twin_[i]];
       const bool by_chance =
@@ -265,6 +282,7 @@ class Verifier {
       target.engine = from.engine;
       target.k = from.k;
       target.bound = from.bound;
+      target.failure = from.failure;
       target.run = names.run(from.run);
     }
     made.invariant = names.invariant(decided_[model].invariant);
@@ -340,8 +358,8 @@ class Verifier {
   std::vector<ExprId> growth_;
   std::vector<std::vector<std::size_t>> parts_;  // of targets
   AlikeParts alike_;
-  std::vector<Decided> decided_;   // by part; of models
-  std::vector<std::size_t> twin_;  // by target: that of the model
+  std::vector<GroupAnswer> decided_;  // by part; of models
+  std::vector<std::size_t> twin_;     // by target: that of the model
   std::size_t rungs_;
   Verdicts verdicts_;
 };

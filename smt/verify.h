@@ -22,9 +22,12 @@ struct Budget {
 struct VerifyOptions {
   Budget budget;
   std::string engine;      // empty: the portfolio; else one engine by name
+  std::uint32_t jobs = 1;  // independent parts of the program at a time
   bool self_check = true;  // replay traces, re-check certificates
   std::string recheck;     // "cvc5": re-check with that binary as well
   std::string smtlib_directory;  // write certificates there; empty: nowhere
+  /// Test only: of random runs. Verdicts do not depend on it.
+  std::uint64_t seed = 0;
   /// Test only: corrupt an answer before its check, to see it rejected.
   bool inject_wrong_invariant = false;
   bool inject_wrong_trace = false;

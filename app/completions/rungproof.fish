@@ -24,7 +24,7 @@ complete -c rungproof -l language -x -a 'script postfix il-iec st plcopen ldmicr
 complete -c rungproof -l props -r -F -d 'property lines in a file'
 complete -c rungproof -l timeout -x -d 'seconds for one program'
 complete -c rungproof -l engine -x -a 'bmc induction pdr simulation' -d 'one engine instead of all'
-complete -c rungproof -l jobs -x -d 'programs at a time'
+complete -c rungproof -l jobs -x -d 'programs, or parts of one, at a time'
 complete -c rungproof -l fail-on -x -a 'note warning error' -d 'exit 1 for findings from here'
 complete -c rungproof -l color -x -a 'auto always never' -d 'colour'
 complete -c rungproof -s q -l quiet -d 'problems only'

@@ -108,6 +108,7 @@ struct Refuter::Impl {
   int variables = 0;
   UnitPropagation checker;
   std::unique_ptr<Prover> prover;  // made when first needed
+  bool failed = false;             // a call of it did not come back
 
   Prover& solver() {
     if (prover == nullptr) {
@@ -137,7 +138,10 @@ Refuter::Refuter(const std::vector<int>& clauses, int variables,
   }
 }
 
-Refuter::~Refuter() = default;
+Refuter::~Refuter() {
+  // After an exception the solver ends the process when it is touched again.
+  if (impl_->failed) static_cast<void>(impl_->prover.release());
+}
 
 std::int64_t Refuter::steps() const {
   return impl_->prover == nullptr ? 0 : impl_->prover->proof().steps();
@@ -153,11 +157,13 @@ Refuter::Answer Refuter::refute(const std::vector<int>& claims,
     if (!checker.derive({claim})) clause.push_back(-claim);
   }
   if (clause.size() == 1) return Answer::Refuted;
+  impl_->failed = true;
   Prover& prover = impl_->solver();
   for (const int literal : clause) prover.add(literal);
   prover.add(0);
-  checker.add(clause);
   const int status = prover.solve(now, conflicts);
+  impl_->failed = false;
+  checker.add(clause);
   if (!prover.proof().follow(checker)) return Answer::Unproved;
   if (status == 10) return Answer::Model;
   if (status != 20) return Answer::Unknown;
