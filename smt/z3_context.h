@@ -15,6 +15,7 @@ class Z3Context {
   Z3Context(const Z3Context&) = delete;
   Z3Context& operator=(const Z3Context&) = delete;
 
+  /// Null when there was too little memory; error() says so then.
   Z3_context get() const { return context_; }
   /// The last call's error; empty when it succeeded.
   std::string error() const;

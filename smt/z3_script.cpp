@@ -139,6 +139,14 @@ class Z3Script {
 
 ScriptAnswer ask_z3(const Z3Context& context, const CertificateScript& script,
                     Clock::time_point deadline) {
+  if (context.get() == nullptr) {
+    ScriptAnswer answer;
+    answer.why = context.error();
+    for (std::uint32_t i = 0; i < script.claims.size(); ++i) {
+      answer.open_claims.push_back(i);
+    }
+    return answer;
+  }
   return Z3Script(context, script).decide(deadline);
 }
 
