@@ -25,7 +25,8 @@ std::string_view to_string(Goal goal);
 ///
 /// Invariant: for a property whose text is an implication (or a bounded
 /// response ...) `trigger` is its left side at a scan's end: when it can never
-/// hold, a proof is vacuous.
+/// hold, a proof is vacuous. Respond: the fairness, where some is given: only
+/// runs on which `trigger` is true again and again are considered.
 struct Obligation {
   std::string name;       // "NAME", "NAME.holds", "interlock@12"
   std::string_view kind;  // "always", "never", "interlock", "latch", "reach",

@@ -81,8 +81,7 @@ std::vector<Obligation> make_obligations(const Program& program,
 struct Replay {
   Trace trace;
   /// Scan (from 1) at whose end an invariant's condition is first false, or
-  /// that of a reach or recover obligation first true; 0 when never in this
-  /// run.
+  /// that of any other obligation first true; 0 when never in this run.
   std::uint64_t decided_at = 0;
   /// The last such scan of the run; not defined for an invariant.
   std::uint64_t last_at = 0;
@@ -98,7 +97,9 @@ Replay replay(const Program& program, const PropertySet& properties,
 struct ReplayTarget {
   std::uint32_t property = 0;
   std::uint32_t part = 0;
-  bool trigger = false;  // not the obligation but its trigger: when it is true
+  /// Not the obligation but its trigger: when it is true. Of `eventually`, the
+  /// part-th (from 0) of its `given fair`.
+  bool trigger = false;
 };
 struct ReplayAll {
   std::vector<std::uint64_t> decided_at;  // by target, as Replay::decided_at

@@ -118,6 +118,7 @@ class LineParser {
   bool take_no(Slice& part);
   void read_for(const Slice& rest, std::size_t implies);
   void read_settles(const Slice& rest);
+  void read_eventually(const Slice& rest);
   void read_pattern(const Slice& rest);
   void read_assume(const Slice& rest);
   void read_input(const Slice& rest);
@@ -127,7 +128,6 @@ class LineParser {
   void read_ignored(const Slice& /*rest*/) {
     statement_.kind = Statement::Kind::Ignored;
   }
-  void not_yet(const Slice& rest);
   void bare_for(const Slice& rest);
 
   void one(Property::Form form, const Slice& rest) {
@@ -154,7 +154,7 @@ const std::array<LineParser::Keyword, 18> LineParser::kKeywords = {{
     {"always", &LineParser::read_always},
     {"assume", &LineParser::read_assume},
     {"dialect", &LineParser::read_ignored},
-    {"eventually", &LineParser::not_yet},
+    {"eventually", &LineParser::read_eventually},
     {"expect", &LineParser::read_expect},
     {"input", &LineParser::read_input},
     {"interlock", &LineParser::read_interlock},
@@ -276,12 +276,6 @@ void LineParser::unknown(const Slice& rest) {
                did_you_mean(at.text, words));
 }
 
-void LineParser::not_yet(const Slice& /*rest*/) {
-  fail("RP064", word_,
-       "`" + std::string(word_.text) +
-           "` is not supported in this version: no engine decides it yet");
-}
-
 void LineParser::read_interlock(const Slice& rest) {
   statement_.property.form = Property::Form::Interlock;
   const std::size_t gap = find_last_word(rest.text, "gap");
@@ -385,6 +379,22 @@ void LineParser::read_settles(const Slice& rest) {
     fail("RP065", limit,
          "inputs change at once, outputs in a scan: 1 scan is the least");
   }
+}
+
+/// eventually P given fair F, G
+void LineParser::read_eventually(const Slice& rest) {
+  statement_.property.form = Property::Form::Eventually;
+  const std::size_t given = find_last_word(rest.text, "given");
+  formula(rest.part(0, given));
+  if (given == kNowhere) return;
+  const Slice tail = rest.part(given + 5);
+  const bool fair = tail.text.starts_with("fair") &&
+                    (tail.text.size() == 4 || !is_word_part(tail.text[4]));
+  if (!fair) {
+    return fail(tail.empty() ? after(rest) : tail,
+                "`given` is followed by `fair`: `eventually P given fair F`");
+  }
+  for (const Slice& part : split(tail.part(4), ',')) formula(part);
 }
 
 void LineParser::read_pattern(const Slice& rest) {

@@ -89,7 +89,7 @@ class ObligationMaker {
       case Property::Form::Settles:
         return settles();
       case Property::Form::Eventually:
-        return;  // no line is read as one yet
+        return eventually();
     }
   }
 
@@ -285,6 +285,31 @@ class ObligationMaker {
     const ExprId rested =
         exprs().equal(ts_.states[state].next, exprs().word(limit));
     add(Goal::Invariant, exprs().implication(rested, same), rested);
+  }
+
+  /// eventually P given fair F, G: again and again is what each of them is when
+  /// again and again all were true since all were. One needs no memory.
+  void eventually() {
+    const std::size_t count = property().formulas.size();
+    if (count == 1) {
+      add(Goal::Respond, formula(0));
+      return;
+    }
+    ExprId all = formula(1);
+    std::vector<std::pair<std::uint32_t, ExprId>> met;  // state, met by now
+    for (std::size_t i = 1; count > 2 && i < count; ++i) {
+      const std::uint32_t state =
+          ts_.add_state(monitor("met" + std::to_string(i)), Type::Bit, 0, 1, 0);
+      met.emplace_back(state,
+                       exprs().disjunction(ts_.state_expr(state), formula(i)));
+      all =
+          i == 1 ? met[0].second : exprs().conjunction(all, met.back().second);
+    }
+    for (const auto& [state, by_now] : met) {
+      ts_.states[state].next =
+          exprs().conjunction(by_now, exprs().negation(all));
+    }
+    add(Goal::Respond, formula(0), all);
   }
 
   const Program& program_;

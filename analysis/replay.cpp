@@ -74,6 +74,7 @@ class PropertyWatch {
       case Property::Form::Settles:
         return rested_ > property_.scans;
       case Property::Form::Eventually:
+        return formulas_.size() == 1 || holds(1 + part);
       case Property::Form::Never:
       case Property::Form::Reach:
       case Property::Form::Recoverable:
@@ -112,6 +113,7 @@ class PropertyWatch {
       case Property::Form::Never:
       case Property::Form::Reach:
       case Property::Form::Recoverable:
+      case Property::Form::Eventually:
         decided_ = holds(0);
         break;
       case Property::Form::Interlock:
@@ -133,8 +135,6 @@ class PropertyWatch {
         break;
       case Property::Form::Settles:
         decided_ = unsettled(simulator);
-        break;
-      case Property::Form::Eventually:
         break;
     }
   }

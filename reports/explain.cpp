@@ -120,6 +120,23 @@ std::string proof_phrase(const ObligationResult& result) {
   return "it holds in every reachable state";
 }
 
+/// Of a run that goes round for ever.
+std::string loop_clause(const Property& property, const Trace& trace) {
+  const Trace::Step& first = trace.steps[*trace.loop];
+  const std::uint64_t begin = first.scan - first.repeat + 1;
+  const std::uint64_t end = trace.steps.back().scan;
+  std::string out =
+      begin == end
+          ? fmt::format("scan {} can follow itself for ever", end)
+          : fmt::format("scans {} to {} can follow each other for ever", begin,
+                        end);
+  for (std::size_t i = 1; i < property.formulas.size(); ++i) {
+    out +=
+        fmt::format("{} `{}`", i == 1 ? ", with" : ",", property.formulas[i]);
+  }
+  return out + fmt::format(", and `{}` does not come", property.formulas[0]);
+}
+
 std::string explain_violation(const FileReport& file,
                               const ObligationResult& result,
                               const Cones& cones) {
@@ -132,6 +149,9 @@ std::string explain_violation(const FileReport& file,
       clause = "no run ever gets there";
     }
     return clause;
+  }
+  if (result.trace->loop && property != nullptr) {
+    return loop_clause(*property, *result.trace);
   }
   std::string out =
       fmt::format("at the end of scan {}", result.trace->steps.back().scan);

@@ -35,7 +35,9 @@ Json json_of(const Program& program, const Trace& trace,
     one["values"] = std::move(values);
     steps.push_back(std::move(one));
   }
-  return {{"signals", std::move(signals)}, {"steps", std::move(steps)}};
+  Json json = {{"signals", std::move(signals)}, {"steps", std::move(steps)}};
+  if (trace.loop) json["loop"] = *trace.loop;
+  return json;
 }
 
 Json json_of(const Certificate& certificate) {

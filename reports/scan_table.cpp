@@ -23,9 +23,12 @@ bool same_line(const Trace::Step& a, const Trace::Step& b,
 /// Steps that differ only in what has no column are one line.
 Trace merged(const Trace& trace, const std::vector<CellId>& signals) {
   Trace result;
-  for (const Trace::Step& step : trace.steps) {
-    const bool again =
-        !result.steps.empty() && same_line(result.steps.back(), step, signals);
+  for (std::size_t i = 0; i < trace.steps.size(); ++i) {
+    const Trace::Step& step = trace.steps[i];
+    const bool loop = trace.loop == i;
+    if (loop) result.loop = result.steps.size();
+    const bool again = !loop && !result.steps.empty() &&
+                       same_line(result.steps.back(), step, signals);
     if (!again) {
       result.steps.push_back(step);
       continue;
@@ -51,6 +54,10 @@ std::vector<Line> lines_of(const Trace& trace) {
           fmt::format("x {} scans, {}", step.repeat, duration(lasted));
     }
     if (step.changes) line.remark += ", with changes in between";
+    if (trace.loop && &step == &trace.steps[*trace.loop]) {
+      line.remark += line.remark.empty() ? "" : "; ";
+      line.remark += "from here on, again and again";
+    }
     lines.push_back(std::move(line));
   }
   return lines;

@@ -38,7 +38,7 @@ struct ScanGrid {
   struct Line {
     std::string scan;
     std::string time;
-    std::string remark;  // "x 3600 scans, 60.0 s"; mostly empty
+    std::string remark;  // "x 3600 scans, 60.0 s", or that a loop begins
   };
   std::vector<Line> lines;
   /// A column a signal, as many texts as lines; printable. A value that is not

@@ -64,7 +64,7 @@ Questions make_questions(const Program& program, const PropertySet& properties,
                        !shows_run(obligation));
     } else if (obligation.goal == Goal::Recover) {
       trigger = ask_trigger(asker, obligation);
-    } else {
+    } else if (obligation.goal == Goal::Invariant) {
       goal = asker.ask(ts.exprs.negation(obligation.condition),
                        Target::Purpose::Violation, false);
       trigger = ask_trigger(asker, obligation);

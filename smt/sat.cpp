@@ -1,5 +1,6 @@
 #include "smt/sat.h"
 
+#include <algorithm>
 #include <cadical.hpp>
 #include <chrono>
 
@@ -33,6 +34,11 @@ Deadline::Deadline(double seconds)
     : at_ns_(now_ns() + static_cast<std::int64_t>(seconds * 1e9)) {}
 
 bool Deadline::passed() const { return now_ns() >= at_ns_; }
+
+Deadline Deadline::part(double share) const {
+  const auto left = static_cast<double>(at_ns_ - now_ns());
+  return Deadline(std::max(left, 0.0) * share / 1e9);
+}
 
 std::string sat_version() { return CaDiCaL::Solver::version(); }
 

@@ -16,6 +16,8 @@ class Deadline {
  public:
   explicit Deadline(double seconds);
   bool passed() const;
+  /// When this share of the time that is left from now on has passed.
+  Deadline part(double share) const;
 
  private:
   std::int64_t at_ns_ = 0;

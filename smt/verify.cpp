@@ -4,6 +4,7 @@
 #include <array>
 #include <iterator>
 #include <map>
+#include <set>
 #include <unordered_map>
 #include <utility>
 
@@ -14,6 +15,7 @@
 #include "smt/partition.h"
 #include "smt/portfolio.h"
 #include "smt/recovery_answers.h"
+#include "smt/recurrence_answers.h"
 #include "smt/side_by_side.h"
 #include "smt/verdicts.h"
 
@@ -67,6 +69,7 @@ class Verifier {
     decide_models();
     for (std::size_t i = 0; i < parts_.size(); ++i) conclude(i);
     recover_all();
+    respond_all();
     if (options_.self_check) attempt([&] { replay_found(); });
     return verdicts_.report();
   }
@@ -305,6 +308,30 @@ class Verifier {
       const Obligation& obligation = questions_.obligations[i];
       if (obligation.goal != Goal::Recover) continue;
       verdicts_.answered(i, answers.answer(obligation));
+    }
+  }
+
+  /// First what is quick, so that one that is hard takes no time from others.
+  void respond_all() {
+    RecurrenceAnswers answers(program_, properties_, ts_, options_);
+    std::set<std::size_t> open;  // obligations
+    for (const Patience patience : {Patience::Short, Patience::Long}) {
+      for (std::size_t i = 0; i < questions_.obligations.size(); ++i) {
+        const Obligation& obligation = questions_.obligations[i];
+        if (obligation.goal != Goal::Respond) continue;
+        const bool again = patience == Patience::Long;
+        if (again && open.count(i) == 0) continue;
+        if (options_.progress) options_.progress("proving: what comes again");
+        CheckedAnswer answer =
+            answers.answer(obligation, patience, portfolio_options());
+        const bool is_open =
+            answer.result.verdict == Verdict::Unknown && answer.failure.empty();
+        if (is_open && !again) {
+          open.insert(i);
+        } else {
+          verdicts_.answered(i, std::move(answer));
+        }
+      }
     }
   }
 

@@ -127,7 +127,8 @@ class Search {
       const bool holds = interpreter_.value(obligation.condition) != 0;
       held |= std::uint64_t{holds} << i;
       const bool decides = holds == (obligation.goal == Goal::Reach) &&
-                           obligation.goal != Goal::Recover;
+                           obligation.goal != Goal::Recover &&
+                           obligation.goal != Goal::Respond;
       if (decides && result_.decided_at[i] == 0) result_.decided_at[i] = scan;
       if (!result_.triggered[i] &&
           interpreter_.value(obligation.trigger) != 0) {

@@ -11,12 +11,14 @@ namespace rung {
 /// Every reachable state of a small system, one by one: what engines say can
 /// be held against it.
 struct StateSearch {
-  struct Edge {  // a scan, between states by number
+  /// A scan of a run, between states by number.
+  struct Edge {
     std::uint32_t from = 0;
     std::uint32_t to = 0;
     std::int64_t dt_ms = 0;
     std::uint64_t number = 0;  // of scans to its end, at least
-    std::uint64_t goals = 0;   // by obligation: it ends with the condition
+    /// By obligation, bit i for the i-th: it ends with the condition.
+    std::uint64_t goals = 0;
   };
   std::vector<Edge> edges;
   /// By obligation: scans of a shortest run at whose end an invariant's

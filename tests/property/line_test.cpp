@@ -47,6 +47,10 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"back: recoverable !Q0", "back = {!Q0}"},
         Case{"settles within 3 scans",
              "settles@1 = {Q0} {Q1} {Q2} {Q3} {Q4} {QW0} 3 scans"},
+        Case{"eventually Q0", "eventually@1 = {Q0}"},
+        Case{"e: eventually !Q0 given fair I0", "e = {!Q0} {I0}"},
+        Case{"eventually once(Q0) given fair (I0 && !I1), rose(I2), !Q1",
+             "eventually@1 = {once(Q0)} {(I0 && !I1)} {rose(I2)} {!Q1}"},
         Case{"calm: settles within 1 scan",
              "calm = {Q0} {Q1} {Q2} {Q3} {Q4} {QW0} 1 scans"},
         Case{"interlock Q0, Q1", "interlock@1 = {Q0} {Q1}"},
@@ -181,11 +185,35 @@ INSTANTIATE_TEST_SUITE_P(
              "value of their own there"}));
 
 INSTANTIATE_TEST_SUITE_P(
-    NotYet, Refused,
-    testing::Values(Case{
-        "n: eventually Q0 given fair I0",
-        "RP064 [eventually] `eventually` is not supported in this "
-        "version: no engine decides it yet"}));
+    Eventually, Refused,
+    testing::Values(
+        Case{"eventually", "RP060 [] an expression is missing here"},
+        Case{"eventually given fair I0",
+             "RP061 [f] an operator is missing before `fair`"},
+        Case{"eventually Q0 given",
+             "RP060 [] `given` is followed by `fair`: `eventually P given fair "
+             "F`"},
+        Case{"eventually Q0 given I0",
+             "RP060 [I0] `given` is followed by `fair`: `eventually P given "
+             "fair F`"},
+        Case{"eventually Q0 given fairly I0",
+             "RP060 [fairly I0] `given` is followed by `fair`: `eventually P "
+             "given fair F`"},
+        Case{"eventually Q0 given fair",
+             "RP060 [] an expression is missing here"},
+        Case{"eventually Q0 given fair I0,",
+             "RP060 [] an expression is missing here"},
+        Case{"eventually Q0 given fair , I0",
+             "RP060 [] an expression is missing here"},
+        Case{"eventually Q0, Q1", "RP061 [,] `,` outside of a call"},
+        Case{"eventually Q0 given fair I7",
+             "RP062 [I7] the program has no `I7` (did you mean `I0`?)"},
+        Case{"eventually IW0 given fair I0",
+             "RP063 [IW0] `IW0` is a word, and a bit is needed here"},
+        Case{"eventually Q0 given fair IW0",
+             "RP063 [IW0] `IW0` is a word, and a bit is needed here"},
+        Case{"eventually Q0 within 3 scans",
+             "RP061 [w] an operator is missing before `within`"}));
 
 INSTANTIATE_TEST_SUITE_P(
     Settles, Refused,

@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "analysis/loop_replay.h"
 #include "analysis/property.h"
 #include "analysis/simulator.h"
 #include "program_maker.h"
@@ -330,6 +331,108 @@ TEST(Replay, YearsAreJumpedOver) {
       replay_all(maker.program(), set, {{0, 0}, {1, 0}}, stimulus);
   EXPECT_EQ(all.decided_at[0], static_cast<std::uint64_t>(kYear) - 4);
   EXPECT_EQ(all.decided_at[1], static_cast<std::uint64_t>(kYear) + 2);
+}
+
+// Q = P && !Q: while P is held, it changes in every scan.
+std::uint64_t unsettled(std::int64_t scans, const std::vector<int>& inputs,
+                        const std::vector<std::int64_t>& times) {
+  ProgramMaker maker;
+  const CellId in = maker.input("P");
+  const CellId out = maker.output("Q");
+  const std::uint32_t off = maker.node(NodeOp::Not, maker.read(out));
+  maker.node(NodeOp::And, maker.read(in), off);
+  maker.rung(out);
+  Property property = property_of(Form::Settles, {"Q"});
+  property.scans = scans;
+  PropertySet set;
+  set.properties = {property};
+  Stimulus stimulus;
+  stimulus.inputs = {in};
+  for (std::size_t i = 0; i < inputs.size(); ++i) {
+    stimulus.steps.push_back({times[i], 1, {inputs[i]}});
+  }
+  return replay(maker.program(), set, 0, 0, stimulus).decided_at;
+}
+
+TEST(Replay, Settles) {
+  EXPECT_EQ(unsettled(1, {1, 1, 1, 1}, {9, 0, 0, 0}), 3U);
+  EXPECT_EQ(unsettled(2, {1, 1, 1, 1}, {9, 0, 0, 0}), 4U);
+  EXPECT_EQ(unsettled(3, {1, 1, 1, 1}, {9, 0, 0, 0}), 0U);
+  // The inputs change when time stops, not later.
+  EXPECT_EQ(unsettled(1, {0, 1, 1, 1}, {9, 0, 0, 0}), 3U);
+  EXPECT_EQ(unsettled(1, {1, 0, 1, 1, 1, 1}, {9, 0, 0, 0, 0, 0}), 0U);
+  // It stops behind a scan, and for good.
+  EXPECT_EQ(unsettled(1, {1, 1, 1}, {0, 0, 0}), 3U);
+  EXPECT_EQ(unsettled(1, {1, 1}, {0, 0}), 0U);
+  EXPECT_EQ(unsettled(1, {1, 1, 1, 1, 1}, {9, 0, 9, 0, 0}), 0U);
+  EXPECT_EQ(unsettled(1, {1, 1, 1, 1}, {9, 9, 9, 9}), 0U);
+}
+
+std::string refuted(const std::vector<std::string>& stem,
+                    const std::vector<std::string>& loop,
+                    const std::vector<std::string>& formulas = {"P", "Q"},
+                    bool may_meet_goal = false) {
+  Signals signals;
+  PropertySet set;
+  set.properties = {property_of(Form::Eventually, formulas)};
+  return refuted_loop(signals.maker.program(), set, 0,
+                      {run_of(signals, stem, 10), run_of(signals, loop, 10)},
+                      {signals.cells, {}}, may_meet_goal);
+}
+
+TEST(Replay, LoopsOfEventually) {
+  EXPECT_EQ(refuted({"0", "1"}, {"0", "1"}), "");
+  EXPECT_EQ(refuted({"10", "01"}, {"000", "011"}), "");
+  EXPECT_EQ(refuted({"0", "0"}, {"00", "10"}), "");
+  EXPECT_EQ(refuted({"", ""}, {"00", "10"}), "");  // from power-up on
+  EXPECT_EQ(refuted({"0", "1"}, {"010", "111"}),
+            "the simulator gets to the goal in round 1 of the loop");
+  EXPECT_EQ(refuted({"0", "1"}, {"010", "111"}, {"P", "Q"}, true), "");
+  EXPECT_EQ(refuted({"0", "1"}, {"000", "000"}),
+            "what is given as fair is not true in round 1 of the loop");
+  EXPECT_EQ(refuted({"0", "1"}, {"00", "10"}),
+            "the simulator is not where it was after round 1 of the loop");
+  EXPECT_EQ(refuted({"00", "10"}, {"", ""}), "the loop found has no scan");
+  // Each of two, and what a formula remembers: Q rises only once.
+  EXPECT_EQ(refuted({"0", "0", "0"}, {"000", "100", "010"}, {"P", "Q", "R"}),
+            "");
+  EXPECT_EQ(refuted({"0", "0", "0"}, {"000", "100", "000"}, {"P", "Q", "R"}),
+            "what is given as fair is not true in round 1 of the loop");
+  EXPECT_EQ(refuted({"0", "0"}, {"0", "1"}, {"P", "rose(Q)"}),
+            "the simulator is not where it was after round 1 of the loop");
+  EXPECT_EQ(refuted({"00", "01"}, {"00", "11"}, {"P", "rose(Q)"}),
+            "what is given as fair is not true in round 1 of the loop");
+}
+
+// A timer that is done goes on for ever and is in one state; one that is not
+// yet done is in another each scan.
+TEST(Replay, LoopsAreClosedWhereTimersAreDone) {
+  ProgramMaker maker;
+  const CellId in = maker.input("in");
+  maker.call("yun", "T", 0, 100, {maker.read(in)});
+  maker.rung(maker.output("Q"));
+  PropertySet set;
+  set.properties = {property_of(Form::Eventually, {"!in"})};
+  const auto run = [&](std::uint64_t scans) {
+    return Stimulus{{in}, {{10, scans, {1}}}};
+  };
+  const auto refuted_after = [&](std::uint64_t scans) {
+    return refuted_loop(maker.program(), set, 0, {run(scans), run(1)},
+                        {{}, {InstanceId(0)}}, false);
+  };
+  EXPECT_EQ(refuted_after(12), "");
+  EXPECT_EQ(refuted_after(8),
+            "the simulator is not where it was after round 1 of the loop");
+}
+
+TEST(Replay, TheTraceOfALoopSaysWhereItBegins) {
+  Signals signals;
+  const Trace trace =
+      trace_of(signals.maker.program(),
+               {run_of(signals, {"0110"}, 10), run_of(signals, {"01"}, 10)});
+  ASSERT_TRUE(trace.loop.has_value());
+  EXPECT_EQ(*trace.loop, 4U);
+  EXPECT_EQ(trace.steps[*trace.loop].scan, 5U);
 }
 
 }  // namespace
