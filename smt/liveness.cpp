@@ -9,14 +9,7 @@ namespace rung {
 namespace {
 
 using Status = Target::Status;
-
-/// A copy of the system with monitors, and the term that is asked of it.
-struct Question {
-  TransitionSystem ts;
-  ExprId bad;
-  VarId save;  // of a loop
-  std::string engine;
-};
+using Question = LivenessQuestion;
 
 constexpr std::int64_t kPerHandOver = 4;  // scans from timer to timer, guessed
 
@@ -30,104 +23,6 @@ std::int64_t time_of_timers(const TransitionSystem& ts,
     time += state.cap + kPerHandOver * ts.scan.max_ms;
   }
   return time == 0 ? 0 : time + 2 * kPerHandOver * ts.scan.max_ms;
-}
-
-std::vector<bool> cone_of(const TransitionSystem& ts, const Recurrence& asked) {
-  std::vector<ExprId> roots = {asked.goal};
-  if (asked.fair.has_value()) roots.push_back(asked.fair);
-  return cone_of_influence(ts, roots);
-}
-
-/// With every `fair` a wait begins, if there is none; a goal ends it.
-Question responding(const TransitionSystem& ts, const Recurrence& asked,
-                    std::int64_t time) {
-  Question question;
-  question.ts = ts;
-  question.engine = "response in " + std::to_string(time) + " ms";
-  TransitionSystem& with = question.ts;
-  ExprArena& e = with.exprs;
-  const ExprId no_goal = e.negation(asked.goal);
-  ExprId waiting = e.bit(true);
-  if (asked.fair.has_value()) {
-    const std::uint32_t state = with.add_state(".waiting", Type::Bit, 0, 1, 0);
-    waiting = with.state_expr(state);
-    with.states[state].next =
-        e.conjunction(e.disjunction(waiting, asked.fair), no_goal);
-  }
-  const std::uint32_t clock =
-      with.add_clock(".waited", e.negation(waiting), time);
-  const ExprId waited = with.states[clock].next;
-  with.states[clock].next = e.ite(asked.goal, e.word(0), waited);
-  question.bad = e.conjunction(no_goal, e.less_equal(e.word(time), waited));
-  return question;
-}
-
-Question counting(const TransitionSystem& ts, const Recurrence& asked,
-                  std::int64_t time, std::int64_t most) {
-  Question question;
-  question.ts = ts;
-  question.engine = "k-liveness k=" + std::to_string(most);
-  TransitionSystem& with = question.ts;
-  ExprArena& e = with.exprs;
-  const ExprId no_goal = e.negation(asked.goal);
-  ExprId moment = no_goal;
-  if (asked.fair.has_value()) moment = e.conjunction(moment, asked.fair);
-  if (time > 0) {
-    const std::uint32_t clock = with.add_clock(".waited", e.bit(false), time);
-    const ExprId waited = with.states[clock].next;
-    moment = e.conjunction(moment, e.less_equal(e.word(time), waited));
-    with.states[clock].next =
-        e.ite(e.disjunction(asked.goal, moment), e.word(0), waited);
-    question.engine += " every " + std::to_string(time) + " ms";
-  }
-  const std::uint32_t count =
-      with.add_state(".waits", Type::Word, 0, most + 1, 0);
-  const ExprId more = e.minimum(
-      e.add(with.state_expr(count), e.to_word(moment)), e.word(most + 1));
-  with.states[count].next = e.ite(no_goal, more, e.word(0));
-  question.bad = e.equal(with.states[count].next, e.word(most + 1));
-  return question;
-}
-
-/// The states of `cone` are written down when a scan begins and are the same
-/// when one ends.
-Question looping(const TransitionSystem& ts, const std::vector<bool>& cone,
-                 const Recurrence& asked) {
-  Question question;
-  question.ts = ts;
-  question.engine = "loop search";
-  TransitionSystem& with = question.ts;
-  ExprArena& e = with.exprs;
-  question.save = with.add_input(".save", VarRole::Choice, Type::Bit, 0, 1);
-  const std::uint32_t inside = with.add_state(".loop", Type::Bit, 0, 1, 0);
-  const ExprId saved = with.state_expr(inside);
-  const ExprId save = with.of(question.save);
-  const ExprId now = e.disjunction(saved, save);
-  with.states[inside].next = now;
-  // Once in the loop: a goal spoils it, and `fair` has to come.
-  const std::uint32_t spoilt = with.add_state(".goal", Type::Bit, 0, 1, 0);
-  const ExprId goal =
-      e.conjunction(now, e.disjunction(with.state_expr(spoilt), asked.goal));
-  with.states[spoilt].next = goal;
-  question.bad = e.conjunction(now, e.negation(goal));
-  if (asked.fair.has_value()) {
-    const std::uint32_t seen = with.add_state(".fair", Type::Bit, 0, 1, 0);
-    const ExprId fair =
-        e.conjunction(now, e.disjunction(with.state_expr(seen), asked.fair));
-    with.states[seen].next = fair;
-    question.bad = e.conjunction(question.bad, fair);
-  }
-  for (std::size_t i = 0; i < ts.states.size(); ++i) {
-    const State& state = ts.states[i];
-    if (!cone[state.var.index()]) continue;
-    const Variable& var = ts.vars[state.var];
-    const std::uint32_t copy = with.add_state(".saved." + var.name, var.type,
-                                              var.low, var.high, state.init);
-    const ExprId kept = e.ite(saved, with.state_expr(copy), ts.of(state.var));
-    with.states[copy].next = kept;
-    question.bad = e.conjunction(question.bad, e.equal(state.next, kept));
-  }
-  return question;
 }
 
 enum class Effort : std::uint8_t { Little, Much };
@@ -150,44 +45,56 @@ class Liveness {
   }
 
   LivenessAnswer decide_loop() {
-    if (!ask_loop(Effort::Little)) ask_loop(Effort::Much);
+    const bool done = find_loop(Effort::Little) ||
+                      shown_by_bits(Effort::Little) ||
+                      shown_by_bits(Effort::Much) || find_loop(Effort::Much);
+    if (!done && options_.deadline->passed()) answer_.reason = "out of time";
     return std::move(answer_);
   }
 
  private:
   bool decide_soon(std::int64_t time) {
-    return ask_loop(Effort::Little) || ask_count(0, 1, Effort::Little) ||
-           ask_count(0, 2, Effort::Little) ||
-           (time > 0 && ask_response(time, Effort::Little));
+    return find_loop(Effort::Little) || shown_by_count(0, 1, Effort::Little) ||
+           shown_by_count(0, 2, Effort::Little) ||
+           shown_by_bits(Effort::Little) ||
+           (time > 0 && shown_by_response(time, Effort::Little));
   }
 
   bool decide_late(std::int64_t time) {
+    if (shown_by_bits(Effort::Much) || find_loop(Effort::Much)) return true;
     if (time > 0) {
-      if (ask_response(time, Effort::Much)) return true;
-      if (ask_count(time, 1, Effort::Much)) return true;
+      if (shown_by_response(time, Effort::Much)) return true;
+      if (shown_by_count(time, 1, Effort::Much)) return true;
     }
     const std::int64_t counts = asked_.counts;
-    if (counts > 0 && ask_count(time, counts + 1, Effort::Much)) return true;
-    if (ask_loop(Effort::Much)) return true;
+    if (counts > 0 && shown_by_count(time, counts + 1, Effort::Much)) {
+      return true;
+    }
     for (std::int64_t k = 2; k <= 16; k *= 2) {
-      if (ask_count(time, k, Effort::Much)) return true;
-      if (time > 0 && ask_count(0, k, Effort::Much)) return true;
+      if (shown_by_count(time, k, Effort::Much)) return true;
+      if (time > 0 && shown_by_count(0, k, Effort::Much)) return true;
     }
     return false;
   }
 
   /// A bound that is exceeded says nothing.
-  bool ask_response(std::int64_t time, Effort effort) {
-    Question question = responding(ts_, asked_, time);
+  bool shown_by_response(std::int64_t time, Effort effort) {
+    Question question = ask_response(ts_, asked_, time);
     return ask(question, effort).status == Status::Unreachable;
   }
-  bool ask_count(std::int64_t time, std::int64_t most, Effort effort) {
-    Question question = counting(ts_, asked_, time, most);
+  bool shown_by_count(std::int64_t time, std::int64_t most, Effort effort) {
+    Question question = ask_count(ts_, asked_, time, most);
+    return ask(question, effort).status == Status::Unreachable;
+  }
+  bool shown_by_bits(Effort effort) {
+    if (ts_.scan.min_ms < 1) return false;
+    Question question = ask_loop(ts_, asked_, Loops::OfBits);
+    question.save = {};
     return ask(question, effort).status == Status::Unreachable;
   }
 
-  bool ask_loop(Effort effort) {
-    Question question = looping(ts_, cone_, asked_);
+  bool find_loop(Effort effort) {
+    Question question = ask_loop(ts_, asked_, Loops::Exactly);
     Target target = ask(question, effort);
     if (target.status == Status::Open) return false;
     if (target.status == Status::Unreachable) return true;

@@ -25,6 +25,7 @@
 #include "random_run.h"
 #include "rest_search.h"
 #include "shrink_tape.h"
+#include "smt/liveness_questions.h"
 #include "smt/verify.h"
 #include "state_search.h"
 
@@ -134,19 +135,29 @@ std::string random_text(Tape& tape, Lines what, std::string_view& dialect) {
   return lines + generated.text;
 }
 
+/// The conditions of an `eventually` line among those of its `reach` lines.
+struct FairGoal {
+  std::uint64_t goal = 0;
+  std::uint64_t fair = 0;
+};
+FairGoal fair_goal(const std::string& name,
+                   const std::vector<Obligation>& obligations) {
+  const std::string number = name.substr(1);
+  FairGoal found;
+  for (std::size_t i = 0; i < obligations.size(); ++i) {
+    const std::string& other = obligations[i].name;
+    if (other == "p" + number) found.goal = std::uint64_t{1} << i;
+    if (other == "f" + number || other == "g" + number) {
+      found.fair |= std::uint64_t{1} << i;
+    }
+  }
+  return found;
+}
+
 std::string judge_eventually(const ObligationResult& result,
                              const std::vector<Obligation>& obligations,
                              const StateSearch& search) {
-  const std::string number = result.obligation.name.substr(1);
-  std::uint64_t goal = 0;
-  std::uint64_t fair = 0;
-  for (std::size_t i = 0; i < obligations.size(); ++i) {
-    const std::string& name = obligations[i].name;
-    if (name == "p" + number) goal = std::uint64_t{1} << i;
-    if (name == "f" + number || name == "g" + number) {
-      fair |= std::uint64_t{1} << i;
-    }
-  }
+  const auto [goal, fair] = fair_goal(result.obligation.name, obligations);
   const bool loops = has_fair_cycle(search, goal, fair);
   const bool any = has_fair_cycle(search, 0, fair);
   switch (result.verdict) {
@@ -293,6 +304,64 @@ TEST(Oracle, WhatComesAgainAndAgainIsOnEveryFairCycle) {
 
 TEST(Oracle, WhatSettlesIsWhatComesToRest) {
   hold_against_search(Lines::Settles, setting("RUNG_ORACLE_LIVENESS", 200));
+}
+
+/// Which of the questions that liveness is turned into have the answer "no
+/// scan ends so", by a search of all states; each but the last only suffices.
+struct Questioned {
+  std::string name;
+  std::uint32_t shown = 0;  // of the lines where there is no loop
+};
+
+void hold_questions(const std::vector<std::uint32_t>& numbers,
+                    std::vector<Questioned>& kinds) {
+  constexpr std::size_t kFew = 3'000;
+  Tape tape(numbers);
+  std::string_view dialect;
+  const std::string text = random_text(tape, Lines::Eventually, dialect);
+  std::string error;
+  const auto read = read_program(dialect, text, error);
+  if (!read) return;
+  TransitionSystem ts = build_transition_system(read->program);
+  const std::vector<Obligation> obligations =
+      make_obligations(read->program, read->properties, ts);
+  const StateSearch search = search_states(ts, obligations, kFew);
+  if (!search.complete) return;
+  for (const Obligation& one : obligations) {
+    if (one.goal != Goal::Respond) continue;
+    const auto [goal, fair] = fair_goal(one.name, obligations);
+    const bool loops = has_fair_cycle(search, goal, fair);
+    const Recurrence asked = {one.condition, one.trigger};
+    LivenessQuestion questions[] = {
+        ask_response(ts, asked, 25), ask_count(ts, asked, 0, 2),
+        ask_count(ts, asked, 25, 1), ask_loop(ts, asked, Loops::OfBits),
+        ask_loop(ts, asked, Loops::Exactly)};
+    for (std::size_t i = 0; i < kinds.size(); ++i) {
+      Obligation never;
+      never.condition = questions[i].ts.exprs.negation(questions[i].bad);
+      const StateSearch answer = search_states(questions[i].ts, {never}, kFew);
+      if (!answer.complete) continue;
+      const bool shown = answer.decided_at[0] == 0;
+      if (shown) ++kinds[i].shown;
+      EXPECT_FALSE(shown && loops) << kinds[i].name << "\n" << text << one.name;
+      const bool exact = i + 1 == kinds.size();
+      EXPECT_FALSE(exact && !shown && !loops) << text << one.name;
+    }
+  }
+}
+
+TEST(Oracle, EachLivenessQuestionIsSound) {
+  std::vector<Questioned> kinds = {
+      {"response"}, {"count"}, {"count in time"}, {"loops of bits"}, {"loops"}};
+  const std::uint64_t count = setting("RUNG_ORACLE_LIVENESS", 200) / 2;
+  for (std::uint64_t seed = 1; seed <= count; ++seed) {
+    hold_questions(random_tape(seed, 300), kinds);
+    if (HasFailure()) break;
+  }
+  for (const Questioned& kind : kinds) {
+    std::cout << kind.name << ": " << kind.shown << "\n";
+    EXPECT_GT(kind.shown, 0U) << kind.name;
+  }
 }
 
 /// Lines about the first two outputs of a program, and its first input.
