@@ -14,6 +14,7 @@
 #include "app/sweep.h"
 #include "app/version.h"
 #include "smt/oracle.h"
+#include "smt/repair.h"
 
 namespace rung {
 namespace {
@@ -43,14 +44,57 @@ void lint(const SourceSet& sources, const Program& program, FileReport& report,
   }
 }
 
+/// Which property of `all` is it?
+std::uint32_t index_in(const PropertySet& all, const Property& property) {
+  const auto found = std::find_if(
+      all.properties.begin(), all.properties.end(),
+      [&](const Property& other) { return other.name == property.name; });
+  return static_cast<std::uint32_t>(found - all.properties.begin());
+}
+
+/// Why the violations come about, and what would repair them.
+void explain(const Program& program, const PropertySet& all,
+             const Options& options, const VerifyOptions& verify_options,
+             FileReport& report) {
+  constexpr std::size_t kMostRepairs = 4;
+  constexpr double kMostSeconds = 10;
+  report.explained = true;
+  std::optional<std::vector<ObligationResult>> before;
+  for (const ObligationResult& result : report.results) {
+    const bool has_run = result.verdict == Verdict::Violated && result.trace &&
+                         result.obligation.goal == Goal::Invariant;
+    if (!has_run) continue;
+    const Obligation& obligation = result.obligation;
+    Explanation why =
+        explain_run(program, report.properties, obligation.property,
+                    obligation.part, *result.trace);
+    why.obligation = obligation.name;
+    if (report.explanations.size() < kMostRepairs) {
+      if (!before) {
+        before = options.properties.empty()
+                     ? report.results
+                     : verify(program, all, verify_options).results;
+      }
+      why.repair = find_repair(
+          program, all, *before, result,
+          index_in(all, report.properties.properties[obligation.property]),
+          why.blamed, verify_options,
+          std::min(kMostSeconds, verify_options.budget.seconds));
+    }
+    report.explanations.push_back(std::move(why));
+  }
+}
+
 void prove(const Program& program, FileReport& report, const Options& options,
            const VerifyOptions& verify_options) {
+  const PropertySet all = report.properties;
   report.properties = select(std::move(report.properties), options.properties);
   VerifyOptions some = verify_options;
   some.wanted = wanted_by(options.properties);
   VerifyReport answer = verify(program, report.properties, some);
   report.results = std::move(answer.results);
   report.failures = std::move(answer.failures);
+  if (options.explain) explain(program, all, options, verify_options, report);
 }
 
 /// The properties that were asked for by name and that no program has.

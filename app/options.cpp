@@ -193,6 +193,8 @@ void add_common(CLI::App& app, RawOptions& raw, Options& options) {
                  "cvc5, z3: re-check certificates with it as well");
   app.add_option("--certificates", options.certificates,
                  "write certificates as SMT-LIB files into this directory");
+  app.add_flag("--explain", options.explain,
+               "why a property is violated, a proved repair, proofs in words");
   app.add_option("--map", raw.map, "a=b: signal a of the first is b")
       ->allow_extra_args(false);
   app.add_option("--inject", raw.inject, "")

@@ -4,8 +4,10 @@
 
 #include "reports/cone.h"
 #include "reports/explain.h"
+#include "reports/explanation.h"
 #include "reports/json_parts.h"
 #include "reports/locate.h"
+#include "reports/proof_words.h"
 
 namespace rung {
 namespace {
@@ -94,11 +96,61 @@ class JsonWriter {
     }
     if (!result.reason.empty()) json["reason"] = result.reason;
     if (result.certificate) json["certificate"] = json_of(*result.certificate);
+    if (file.explained) json["explanation"] = explanation(file, result);
     if (result.trace && file.program) {
       json["trace"] =
           json_of(*file.program, *result.trace, signals(file, result, cones));
     }
     return json;
+  }
+
+  /// Of a violation why it comes to it, of a proof its lemmas as sentences.
+  Json explanation(const FileReport& file, const ObligationResult& result) {
+    if (result.verdict == Verdict::Proved && result.certificate) {
+      Json words = Json::array();
+      for (const std::string& lemma : result.certificate->lemmas) {
+        words.push_back(in_words(lemma));
+      }
+      return {{"proof", std::move(words)}};
+    }
+    const Explanation* why = explanation_of(file, result.obligation);
+    if (why == nullptr) return nullptr;
+    const Program& program = *file.program;
+    Json inputs = Json::array();
+    for (const Explanation::InputChange& change : why->needed) {
+      inputs.push_back({{"scan", change.scan},
+                        {"name", program.cells[change.cell].name},
+                        {"value", change.value}});
+    }
+    Json chain = Json::array();
+    for (const Explanation::Step& step : why->chain) {
+      Json contacts = Json::array();
+      for (const Explanation::Contact& contact : step.contacts) {
+        contacts.push_back({{"name", contact.name}, {"value", contact.value}});
+      }
+      chain.push_back({{"scan", step.scan},
+                       {"name", program.cells[step.cell].name},
+                       {"value", step.value},
+                       {"kept", step.kept},
+                       {"line", line_of(program, step.rung)},
+                       {"contacts", std::move(contacts)}});
+    }
+    Json json = {{"inputs", std::move(inputs)},
+                 {"chain", std::move(chain)},
+                 {"blamed_line", line_of(program, why->blamed)},
+                 {"repair", nullptr}};
+    if (why->repair) {
+      json["repair"] = {{"line", line_of(program, why->repair->rung)},
+                        {"edit", why->repair->edit}};
+    }
+    return json;
+  }
+
+  Json line_of(const Program& program, RungId rung) {
+    if (!rung.has_value() || !program.rungs[rung].where.has_value()) {
+      return nullptr;
+    }
+    return locator_.of(program.rungs[rung].where).begin.line;
   }
 
   static Json failure(const FileReport& file, const SelfCheckFailure& failure) {

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "analysis/explanation.h"
 #include "analysis/program.h"
 #include "analysis/property.h"
 #include "analysis/result.h"
@@ -33,6 +34,8 @@ struct FileReport {
   std::vector<Diagnostic> findings;
   std::vector<ObligationResult> results;
   std::vector<SelfCheckFailure> failures;
+  bool explained = false;                 // asked for: proofs in words, and
+  std::vector<Explanation> explanations;  // of violations with a run
 };
 
 /// All that one run of `check`, `lint` or `prove` found.

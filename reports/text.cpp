@@ -6,7 +6,9 @@
 
 #include "reports/cone.h"
 #include "reports/explain.h"
+#include "reports/explanation.h"
 #include "reports/frame.h"
+#include "reports/proof_words.h"
 #include "reports/rung_values.h"
 #include "reports/scan_table.h"
 #include "reports/summary_line.h"
@@ -106,14 +108,21 @@ class TextWriter {
               paint_(Ink::Warning, to_string(result.verdict)) + ": " +
               printable(title_of(result.obligation)) + " (" +
               printable(why_undecided(result)) + ")\n";
-    } else if (detail_ == Detail::Verbose) {
+    } else if (detail_ == Detail::Verbose || is_told(file, result)) {
       out_ += place_of(result.obligation.where) + paint_(Ink::Good, "proved") +
               ": " + printable(title_of(result.obligation));
+      if (detail_ != Detail::Verbose) out_ += '\n';
     }
     if (detail_ == Detail::Verbose) {
       write_evidence(result);
       write_witness(file, result);
     }
+    if (result.verdict == Verdict::Proved) write_proof(file, result);
+  }
+
+  /// A written property whose proof is to be put in words.
+  static bool is_told(const FileReport& file, const ObligationResult& result) {
+    return file.explained && result.certificate && !result.obligation.built_in;
   }
 
   std::string place_of(const SourceRange& where) {
@@ -138,6 +147,20 @@ class TextWriter {
             "\n\n";
     if (!readable || !result.trace || result.trace->steps.empty()) return;
     write_trace(file, result);
+    if (const Explanation* why = explanation_of(file, result.obligation)) {
+      out_ += explanation_text(file, *why, paint_, locator_);
+    }
+  }
+
+  /// The lemmas of a proof as sentences.
+  void write_proof(const FileReport& file, const ObligationResult& result) {
+    if (!is_told(file, result)) return;
+    if (result.certificate->lemmas.empty()) {
+      out_ += "    no lemma is needed: any scan alone shows it\n";
+    }
+    for (const std::string& lemma : result.certificate->lemmas) {
+      out_ += "    " + printable(in_words(lemma)) + "\n";
+    }
   }
 
   void write_trace(const FileReport& file, const ObligationResult& result) {

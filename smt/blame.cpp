@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "analysis/simulator.h"
+#include "smt/edits.h"
 #include "smt/sat.h"
 #include "smt/signals.h"
 
@@ -22,56 +23,11 @@ struct Edit {
   std::int64_t value = 0;   // of Constant and Preset
 };
 
-/// Makes room for a node right behind `at`, which it negates: all that used
-/// `at` uses it then.
-void negate(Program& program, std::uint32_t at) {
-  const auto moved = [&](std::uint32_t& index) {
-    if (index >= at) ++index;
-  };
-  Node negation = {
-      .op = NodeOp::Not, .a = at, .where = program.nodes[at].where};
-  for (std::uint32_t i = at + 1; i < program.nodes.size(); ++i) {
-    Node& node = program.nodes[i];
-    moved(node.a);
-    moved(node.b);
-    moved(node.target);
-  }
-  for (std::uint32_t i = 0; i < at; ++i) {
-    // Only markers point ahead.
-    Node& node = program.nodes[i];
-    if (node.op == NodeOp::Branch && node.target > at) ++node.target;
-  }
-  program.nodes.insert(program.nodes.begin() + at + 1, negation);
-  for (const RungId id : ids_of(program.rungs)) {
-    Rung& rung = program.rungs[id];
-    if (rung.begin > at) ++rung.begin;
-    if (rung.end > at) ++rung.end;
-  }
-  for (const CallId id : ids_of(program.calls)) {
-    std::vector<std::uint32_t>& arguments = program.calls[id].arguments;
-    for (std::uint32_t& argument : arguments) moved(argument);
-  }
-}
-
-void replace_operator(Program& program, std::uint32_t at, NodeOp op) {
-  Node& node = program.nodes[at];
-  if (node.op == NodeOp::Not) {  // what is not negated is itself, twice
-    node.op = NodeOp::And;
-    node.b = node.a;
-    return;
-  }
-  node.op = op;
-  for (Node& marker : program.nodes) {
-    const bool of_it = marker.op == NodeOp::Branch && marker.target == at;
-    if (of_it) marker.skip_when = !marker.skip_when;
-  }
-}
-
 Program changed(const Program& program, const Edit& edit) {
   Program result = program;
   switch (edit.kind) {
     case Edit::Kind::Negate:
-      negate(result, edit.at);
+      negate_node(result, edit.at);
       break;
     case Edit::Kind::Replace:
       replace_operator(result, edit.at, edit.op);

@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <utility>
 
+#include "analysis/explanation.h"
 #include "analysis/simulator.h"
 #include "smt/run.h"
 
@@ -24,25 +25,6 @@ std::size_t index(SpanUnit unit) { return static_cast<std::size_t>(unit); }
 
 std::uint64_t executed_scans(const Program& program, std::uint64_t rungs) {
   return rungs / std::max<std::size_t>(program.rungs.size(), 1) + 1;
-}
-
-/// The inputs of a trace, which are a run of the same program.
-Stimulus stimulus_of(const Program& program, const Trace& trace) {
-  Stimulus stimulus;
-  for (const CellId id : ids_of(program.cells)) {
-    if (program.cells[id].role == CellRole::Input) {
-      stimulus.inputs.push_back(id);
-    }
-  }
-  for (const Trace::Step& step : trace.steps) {
-    StimulusStep& made = stimulus.steps.emplace_back();
-    made.dt_ms = step.dt_ms;
-    made.repeat = step.repeat;
-    for (const CellId id : stimulus.inputs) {
-      made.inputs.push_back(step.values[id.index()]);
-    }
-  }
-  return stimulus;
 }
 
 /// A run, and how long the wait is that it shows.

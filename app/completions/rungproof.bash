@@ -6,7 +6,8 @@ _rungproof() {
   local commands="check lint prove equiv bound lower export run render rule"
   local common="--help --version --format --scan --semantics --stable-inputs --pou --dialect
     --language --props --timeout --engine --jobs --fail-on --color --quiet
-    --verbose --property --self-check --recheck --certificates --map"
+    --verbose --property --self-check --recheck --certificates --map
+    --explain"
   local command= word
   for word in "${COMP_WORDS[@]:1:COMP_CWORD-1}"; do
     [[ " $commands " == *" $word "* ]] && { command=$word; break; }
