@@ -45,10 +45,15 @@ class JsonWriter {
       }
     }
     const std::size_t rungs = file.program ? file.program->rungs.size() : 0;
+    Json scan = nullptr;
+    if (file.program) {
+      scan = {file.program->scan.min_ms, file.program->scan.max_ms};
+    }
     return {{"path", file.path},
             {"language", file.language},
             {"dialect", file.dialect},
             {"semantics", file.semantics},
+            {"scan_ms", std::move(scan)},
             {"rungs", rungs},
             {"inputs", std::move(inputs)},
             {"outputs", std::move(outputs)},

@@ -41,9 +41,13 @@ Json json_of(const Program& program, const Trace& trace,
 }
 
 Json json_of(const Certificate& certificate) {
-  Json json = {{"lemmas", certificate.lemmas},
+  Json json = {{"k", certificate.k},
+               {"lemmas", certificate.lemmas},
                {"checked_by", certificate.checked_by},
                {"smtlib", nullptr}};
+  if (!certificate.conditions.empty()) {
+    json["conditions"] = certificate.conditions;
+  }
   if (!certificate.ways.empty()) json["ways"] = certificate.ways;
   if (certificate.reused) json["reused"] = true;
   if (!certificate.smtlib_path.empty()) {

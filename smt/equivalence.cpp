@@ -408,6 +408,7 @@ class EquivalenceCheck {
   void certify(const Product& whole, const Invariant& invariant,
                std::string engine) {
     Certificate certificate;
+    certificate.k = invariant.k;
     for (const LemmaClause& clause : invariant.lemmas) {
       certificate.lemmas.push_back(to_string(whole.ts, clause));
     }

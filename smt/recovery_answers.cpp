@@ -135,6 +135,7 @@ void RecoveryAnswers::conclude_recoverable(const Recovery& recovery,
                                            CheckedAnswer& answer) {
   ObligationResult& result = answer.result;
   result.certificate.emplace();
+  result.certificate->k = recovery.invariant.k;
   result.certificate->lemmas = lemmas_of(ts_, recovery);
   for (const Region& region : recovery.regions) {
     result.certificate->ways.push_back(to_string(ts_, region));
@@ -156,6 +157,7 @@ void RecoveryAnswers::conclude_stuck(const Recovery& recovery,
   result.scans = scans_of(stimulus);
   if (options_.inject_wrong_trace) drop_last_scan(stimulus);
   result.certificate.emplace();
+  result.certificate->k = recovery.invariant.k;
   result.certificate->lemmas = lemmas_of(ts_, recovery);
   if (options_.self_check) {
     const RunEnd end = end_of_run(ts_, goal, stimulus);

@@ -67,8 +67,14 @@ void Verdicts::decided(const std::vector<std::size_t>& group,
     if (target.status == Status::Unreachable) goals.push_back(target.never);
   }
   if (!goals.empty() && !overflow) {
+    g.k = invariant.k;
     for (const LemmaClause& lemma : invariant.lemmas) {
       g.lemmas.push_back(to_string(ts_, lemma));
+    }
+    if (g.k > 0) {
+      for (const ExprId condition : invariant.conditions) {
+        g.conditions.push_back(to_string(ts_, condition));
+      }
     }
     Invariant checked = invariant;
     if (options_.inject_wrong_invariant) corrupt(checked);
@@ -112,6 +118,8 @@ bool Verdicts::is_shown(std::size_t i) const {
 Certificate Verdicts::certificate(const Group& group) const {
   const CertificateReport& checked = proofs_.report(group.proof);
   Certificate result;
+  result.k = group.k;
+  result.conditions = group.conditions;
   result.lemmas = group.lemmas;
   for (const LemmaClause& lemma : checked.dropped) {
     std::erase(result.lemmas, to_string(ts_, lemma));

@@ -87,7 +87,9 @@ class Verdicts {
 
  private:
   struct Group {  // of targets that one invariant shows
+    std::uint32_t k = 0;
     std::vector<std::string> lemmas;
+    std::vector<std::string> conditions;
     std::size_t proof = Questions::kNone;
     bool overflow = false;
     double milliseconds = 0;  // a target
