@@ -27,10 +27,7 @@ std::string_view to_string(Verdict verdict);
 /// Why a condition holds in every reachable state: lemmas over the state
 /// variables whose conjunction is inductive and implies it.
 struct Certificate {
-  std::uint32_t k = 0;                  // of k-induction; see smt/invariant.h
   std::vector<std::string> lemmas;      // in the program's names
-  /// With k > 0, what else was proved with it: each may need the others.
-  std::vector<std::string> conditions;
   std::vector<std::string> checked_by;  // "z3 4.8.12", "cvc5 1.0.3"
   std::string smtlib_path;              // empty unless a file was asked for
   /// They had accepted the same script, word for word, for an equal part of
@@ -39,6 +36,10 @@ struct Certificate {
   /// Of `recoverable`: in which states which inputs lead to the goal, or to a
   /// state of a line above: "Q0 && T(0).elapsed >= 4900: I1 = 1".
   std::vector<std::string> ways;
+  /// Of k-induction; smt/invariant.h. Where it is more than 0, `conditions` is
+  /// all that was proved together: each may need the others.
+  std::uint32_t k = 0;
+  std::vector<std::string> conditions;
 };
 
 struct ObligationResult {

@@ -18,6 +18,8 @@ std::string_view to_string(Goal::Kind kind) {
       return "reach";
     case Goal::Kind::Recover:
       return "recover";
+    case Goal::Kind::Unknown:
+      break;
   }
   return "";
 }
@@ -97,6 +99,10 @@ void CertificateCheck::add(const ClaimedProperty& property, std::size_t index) {
   const auto goal =
       std::find_if(goals_.begin(), goals_.end(),
                    [&](const Goal& one) { return one.name == property.name; });
+  if (goal != goals_.end() && goal->kind == Goal::Kind::Unknown) {
+    checked.reason = "`" + goal->form + "` is not known here";
+    return;
+  }
   if (goal == goals_.end() || goal->text != property.text ||
       goal->form != property.kind || to_string(goal->kind) != property.goal) {
     checked.outcome = Outcome::Rejected;

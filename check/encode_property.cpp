@@ -35,11 +35,17 @@ class PropertyEncoder {
       case Property::Form::Latch:
         return latch();
       case Property::Form::After:
+        if (property.absent) {
+          return property.scans >= 0 ? none_for_scans() : none_for_time();
+        }
         return property.scans >= 0 ? within_scans() : within_time();
       case Property::Form::For:
         return held();
       case Property::Form::OnlyAfter:
         return only_after();
+      case Property::Form::Settles:
+      case Property::Form::Eventually:
+        return add(Goal::Kind::Unknown, terms_.bit(false));
     }
   }
 
@@ -172,6 +178,25 @@ class PropertyEncoder {
         choose(now(pending), now(waited) + model_.dt, terms_.number(0)));
     set_next(pending, (now(pending) | p) & ~q);
     add(Goal::Kind::Always, ~(now(pending) & (time > property_->milliseconds)));
+  }
+
+  /// Since the last P: never is long enough ago.
+  void none_for_time() {
+    const std::int64_t time = property_->milliseconds;
+    const Value p = formula(0);
+    const Value q = formula(1);
+    const std::uint32_t since = clock("since", time, time);
+    const Value ago = set_next(since, choose(p, 0, now(since) + model_.dt));
+    add(Goal::Kind::Always, ~(q & (ago < time)));
+  }
+
+  void none_for_scans() {
+    const std::int64_t scans = property_->scans;
+    const Value p = formula(0);
+    const Value q = formula(1);
+    const std::uint32_t since = clock("since", scans, scans);
+    const Value ago = set_next(since, choose(p, 0, now(since) + 1));
+    add(Goal::Kind::Always, ~(q & (ago < scans)));
   }
 
   /// The time from the first of the last scan ends with P to this one.

@@ -11,7 +11,12 @@ namespace rung::check {
 
 /// What is claimed of one obligation, read from the source's property lines.
 struct Goal {
-  enum class Kind : std::uint8_t { Always, Reach, Recover };
+  enum class Kind : std::uint8_t {
+    Always,
+    Reach,
+    Recover,
+    Unknown,  // a form that is not encoded here
+  };
   Kind kind = Kind::Always;
   std::string name;  // "pump.holds"
   std::string form;  // "latch", "built-in"

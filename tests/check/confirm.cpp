@@ -10,7 +10,8 @@ constexpr double kSeconds = 300;
 std::string_view name_of(Goal goal) {
   return goal == Goal::Invariant ? "invariant"
          : goal == Goal::Reach   ? "reach"
-                                 : "recover";
+         : goal == Goal::Recover ? "recover"
+                                 : "respond";
 }
 
 }  // namespace
@@ -68,7 +69,8 @@ std::string unconfirmed(const Program& program, const PropertySet& properties,
   Confirmation confirmation;
   confirmation.add(program, properties, claimed_by(report));
   std::string text;
-  for (const check::Checked& one : confirmation.ask().front()) {
+  const auto results = confirmation.ask();
+  for (const check::Checked& one : results.front()) {
     if (one.outcome != check::Outcome::Rejected &&
         one.outcome != check::Outcome::NotChecked) {
       continue;

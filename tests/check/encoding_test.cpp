@@ -235,8 +235,11 @@ std::string compare_properties(const std::vector<std::uint32_t>& numbers,
   if (!read) return {};
   Model model;
   const check::ProgramValues values = encode_program(read->program, model);
-  const std::vector<check::Goal> goals =
+  std::vector<check::Goal> goals =
       encode_properties(read->program, read->properties, values, model);
+  std::erase_if(goals, [](const check::Goal& goal) {
+    return goal.kind == check::Goal::Kind::Unknown;
+  });
   TransitionSystem ts = build_transition_system(read->program);
   const std::vector<Obligation> obligations =
       make_obligations(read->program, read->properties, ts);

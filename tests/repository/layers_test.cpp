@@ -26,6 +26,7 @@ const std::map<std::string, std::set<std::string>>& allowed() {
       {"app",
        {"base", "frontend", "analysis", "smt", "backend", "reports",
         "runtime"}},
+      {"check", {"base", "analysis", "app"}},
   };
   return table;
 }
@@ -69,6 +70,54 @@ TEST(Layers, EveryIncludeIsAnArrowOfTheTable) {
     }
   }
   EXPECT_GT(files, 20U) << "the folders were not found";
+}
+
+/// The second opinion on proofs must be one: nothing of the encoding, of the
+/// engines or of the simulator, only what readers make.
+TEST(Layers, TheCheckerSharesTheReadersOnly) {
+  const std::set<std::string> shared = {
+      "analysis/formula.h",   // property lines, parsed
+      "analysis/program.h",   // what a reader makes
+      "analysis/property.h",  // property lines, read
+      "analysis/property_line.h",
+      "app/inputs.h",
+      "app/load.h",
+      "app/options.h",
+      "app/version.h",
+      "base/diagnostic.h",
+      "base/process.h",
+  };
+  for (const auto& entry :
+       fs::directory_iterator(fs::path(RUNG_ROOT) / "check")) {
+    if (!is_source(entry.path())) continue;
+    std::ifstream in(entry.path());
+    for (std::string line; std::getline(in, line);) {
+      const std::string folder = included_folder(line);
+      if (folder.empty() || folder == "check" || folder == "fmt") continue;
+      if (folder == "CLI" || folder == "nlohmann") continue;
+      const std::size_t quote = line.find('"');
+      const std::string path =
+          line.substr(quote + 1, line.rfind('"') - quote - 1);
+      EXPECT_EQ(shared.count(path), 1U) << entry.path() << ": " << line;
+    }
+  }
+}
+
+/// The formulas of element_kinds() are the engines' encoding.
+TEST(Layers, TheCheckerReadsNoStepTexts) {
+  for (const auto& entry :
+       fs::directory_iterator(fs::path(RUNG_ROOT) / "check")) {
+    if (!is_source(entry.path())) continue;
+    std::ifstream in(entry.path());
+    for (std::string line; std::getline(in, line);) {
+      for (const char* const field :
+           {"operation->updates", "operation->result", "instance.kind->states",
+            "instance.kind->done", "instance.kind->value"}) {
+        EXPECT_EQ(line.find(field), std::string::npos)
+            << entry.path() << ": " << line;
+      }
+    }
+  }
 }
 
 TEST(Layers, OnlySmtSeesASolver) {
