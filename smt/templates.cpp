@@ -285,12 +285,15 @@ Templates::Lags Templates::lags(const Column& x, const Column& y,
 }
 
 /// How far the clock x is behind y while x runs, and has not come to what it
-/// is compared with; or, closer, while both of them run.
-void Templates::follow(std::uint32_t x, std::uint32_t y,
+/// is compared with. Seldom needed, so only from afar: the same of a clock that
+/// always runs, and, closer, while both of them run.
+void Templates::follow(std::uint32_t x, std::uint32_t y, Reach reach,
                        std::vector<Candidate>& result) {
   const Column& of_x = columns_[x];
   const Column& of_y = columns_[y];
   if (!of_x.running.has_value() || !of_y.running.has_value()) return;
+  const bool far = reach == Reach::Far;
+  if (!far && ts_.exprs.is_constant(of_x.running)) return;
   const ExprId clock = ts_.state_expr(cone_->states()[x]);
   const ExprId other = ts_.state_expr(cone_->states()[y]);
   for (const std::int64_t p : thresholds_[x]) {
@@ -313,7 +316,9 @@ void Templates::follow(std::uint32_t x, std::uint32_t y,
     if (!most.any) continue;
     const bool limits = *most.any < ts_.exprs[other].high - 1;
     if (limits) offer_lag(*most.any, false);
-    if (most.both && *most.both < *most.any) offer_lag(*most.both, true);
+    if (far && most.both && *most.both < *most.any) {
+      offer_lag(*most.both, true);
+    }
   }
 }
 
@@ -326,8 +331,8 @@ std::vector<Candidate> Templates::candidates(Constants constants, Reach reach) {
     for (const auto& [x, y] : *pairs) {
       if (!columns_[x].word || !columns_[y].word) continue;
       relate(x, y, constants == Constants::Pairs, result);
-      follow(x, y, result);
-      follow(y, x, result);
+      follow(x, y, reach, result);
+      follow(y, x, reach, result);
     }
   }
   return result;

@@ -90,7 +90,8 @@ class Templates {
     std::optional<std::int64_t> both;
   };
   Lags lags(const Column& x, const Column& y, std::int64_t p) const;
-  void follow(std::uint32_t x, std::uint32_t y, std::vector<Candidate>& result);
+  void follow(std::uint32_t x, std::uint32_t y, Reach reach,
+              std::vector<Candidate>& result);
   void offer(ExprId relation, const Lanes64& holds,
              const std::vector<std::uint32_t>& guards,
              std::vector<Candidate>& result);
