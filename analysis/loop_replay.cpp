@@ -93,7 +93,7 @@ std::string refuted_loop(const Program& program, const PropertySet& properties,
       state_of(program, simulator, returning);
   for (std::uint64_t round = 1; round <= kRounds; ++round) {
     append(run, lasso.loop);
-    const std::string wrong =
+    std::string wrong =
         wrong_in_round(round, replay_all(program, properties, targets, run),
                        stem, loop, may_meet_goal);
     if (!wrong.empty()) return wrong;

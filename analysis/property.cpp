@@ -269,6 +269,34 @@ class PropertyReader {
 
 }  // namespace
 
+std::string_view to_string(Property::Form form) {
+  switch (form) {
+    case Property::Form::Always:
+      return "always";
+    case Property::Form::Never:
+      return "never";
+    case Property::Form::Interlock:
+      return "interlock";
+    case Property::Form::Latch:
+      return "latch";
+    case Property::Form::Reach:
+      return "reach";
+    case Property::Form::Recoverable:
+      return "recoverable";
+    case Property::Form::After:
+      return "after";
+    case Property::Form::For:
+      return "for";
+    case Property::Form::OnlyAfter:
+      return "only-after";
+    case Property::Form::Settles:
+      return "settles";
+    case Property::Form::Eventually:
+      return "eventually";
+  }
+  return {};
+}
+
 PropertySet read_properties(Program& program,
                             const std::vector<AstAnnotation>& extra,
                             const SourceSet& sources, DiagnosticSink& sink) {

@@ -4,69 +4,12 @@
 #include <array>
 #include <utility>
 
+#include "analysis/property_patterns.h"
+#include "analysis/property_text.h"
 #include "base/text.h"
 
 namespace rung {
 namespace {
-
-constexpr auto kNowhere = std::string_view::npos;
-
-bool is_space(char c) {
-  return c == ' ' || c == '\t' || c == '\r' || c == '\n';
-}
-bool is_word_part(char c) {
-  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') ||
-         (c >= '0' && c <= '9') || c == '_' || c == '.' || c == '$' || c == '%';
-}
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
-
-/// The first place of `word` as a whole word outside of parentheses, where
-/// something stands before it.
-std::size_t find_word(std::string_view text, std::string_view word) {
-  std::int64_t depth = 0;
-  bool after_word = false;
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    const char c = text[i];
-    if (c == '(') ++depth;
-    if (c == ')') --depth;
-    const std::size_t end = i + word.size();
-    const bool here = depth == 0 && i > 0 && !after_word &&
-                      text.substr(i, word.size()) == word &&
-                      (end == text.size() || !is_word_part(text[end]));
-    if (here) return i;
-    after_word = is_word_part(c);
-  }
-  return kNowhere;
-}
-
-std::size_t find_last_word(std::string_view text, std::string_view word) {
-  std::size_t found = kNowhere;
-  std::size_t from = 0;
-  for (;;) {
-    const std::size_t next = find_word(text.substr(from), word);
-    if (next == kNowhere) return found;
-    found = from + next;
-    from = found + 1;
-    while (from < text.size() && is_word_part(text[from])) ++from;
-  }
-}
-
-/// Splits at `separator` outside of parentheses.
-std::vector<Slice> split(const Slice& slice, char separator) {
-  std::vector<Slice> parts;
-  std::int64_t depth = 0;
-  std::size_t begin = 0;
-  for (std::size_t i = 0; i < slice.text.size(); ++i) {
-    const char c = slice.text[i];
-    if (c == '(') ++depth;
-    if (c == ')') --depth;
-    if (c != separator || depth != 0) continue;
-    parts.push_back(slice.part(begin, i));
-    begin = i + 1;
-  }
-  parts.push_back(slice.part(begin));
-  return parts;
-}
 
 class LineParser {
  public:
@@ -128,7 +71,6 @@ class LineParser {
   void read_ignored(const Slice& /*rest*/) {
     statement_.kind = Statement::Kind::Ignored;
   }
-  void bare_for(const Slice& rest);
 
   void one(Property::Form form, const Slice& rest) {
     statement_.property.form = form;
@@ -183,38 +125,6 @@ constexpr std::array<Unit, 6> kUnits = {{{"ms", 1},
 // A year; elapsed times stay far below the bounds of terms.
 constexpr std::int64_t kMaxTime = std::int64_t{366} * 24 * 3'600'000;
 constexpr std::int64_t kMaxScans = 1'000'000;
-
-/// PLCverif's requirement patterns in our forms.
-struct Pattern {
-  std::string_view id;
-  Property::Form form;
-  std::size_t arity;
-  std::string_view first;
-  std::string_view second;
-};
-constexpr std::array<Pattern, 11> kPatterns = {{
-    {"pattern-implication", Property::Form::Always, 2, "(%1) -> (%2)", {}},
-    {"pattern-invariant", Property::Form::Always, 1, "%1", {}},
-    {"pattern-forbidden", Property::Form::Never, 1, "%1", {}},
-    {"pattern-statechange-duringcycle",
-     Property::Form::Always,
-     2,
-     "begin(%1) -> (%2)",
-     {}},
-    {"pattern-statechange-betweencycles",
-     Property::Form::Always,
-     3,
-     "prev(%1) && (%2) -> (%3)",
-     {}},
-    {"pattern-reachability", Property::Form::Reach, 1, "%1", {}},
-    {"pattern-repeatability", Property::Form::Recoverable, 1, "%1", {}},
-    {"pattern-leadsto", Property::Form::OnlyAfter, 2, "%1", "%2"},
-    {"pattern-leadsto-trigger", Property::Form::OnlyAfter, 3, "%1",
-     "prev(%2) && (%3)"},
-    {"pattern-leadsto-earlier", Property::Form::OnlyAfter, 2, "%1",
-     "begin(%2)"},
-    {"pattern-timed-trigger", Property::Form::For, 3, "%1", "%3"},
-}};
 
 std::optional<Statement> LineParser::parse() {
   Slice rest = statement_.line.part(0);
@@ -403,13 +313,13 @@ void LineParser::read_pattern(const Slice& rest) {
     return fail(rest, "a pattern is written `pattern-invariant(A)`");
   }
   const Slice id = rest.part(0, end);
-  const auto* const pattern =
-      std::find_if(kPatterns.begin(), kPatterns.end(),
-                   [&](const Pattern& row) { return row.id == id.text; });
-  if (pattern == kPatterns.end()) {
+  const auto* const pattern = std::find_if(
+      kPropertyPatterns.begin(), kPropertyPatterns.end(),
+      [&](const PropertyPattern& row) { return row.id == id.text; });
+  if (pattern == kPropertyPatterns.end()) {
     std::vector<std::string_view> ids;
-    ids.reserve(kPatterns.size());
-    for (const Pattern& row : kPatterns) ids.push_back(row.id);
+    ids.reserve(kPropertyPatterns.size());
+    for (const PropertyPattern& row : kPropertyPatterns) ids.push_back(row.id);
     return fail(id, "`" + std::string(id.text) + "` is no pattern" +
                         did_you_mean(id.text, ids));
   }
@@ -566,48 +476,9 @@ void LineParser::time(const Slice& text, bool scans_allowed) {
 
 }  // namespace
 
-Slice Slice::part(std::size_t begin, std::size_t end) const {
-  end = std::min(end, text.size());
-  begin = std::min(begin, end);
-  while (begin < end && is_space(text[begin])) ++begin;
-  while (end > begin && is_space(text[end - 1])) --end;
-  SourceRange range = where;
-  range.begin += static_cast<std::uint32_t>(begin);
-  range.end = where.begin + static_cast<std::uint32_t>(end);
-  return {text.substr(begin, end - begin), range};
-}
-
 std::optional<Statement> parse_statement(const Slice& line,
                                          DiagnosticSink& sink) {
   return LineParser(line, sink).parse();
-}
-
-std::string_view to_string(Property::Form form) {
-  switch (form) {
-    case Property::Form::Always:
-      return "always";
-    case Property::Form::Never:
-      return "never";
-    case Property::Form::Interlock:
-      return "interlock";
-    case Property::Form::Latch:
-      return "latch";
-    case Property::Form::Reach:
-      return "reach";
-    case Property::Form::Recoverable:
-      return "recoverable";
-    case Property::Form::After:
-      return "after";
-    case Property::Form::For:
-      return "for";
-    case Property::Form::OnlyAfter:
-      return "only-after";
-    case Property::Form::Settles:
-      return "settles";
-    case Property::Form::Eventually:
-      return "eventually";
-  }
-  return {};
 }
 
 }  // namespace rung
