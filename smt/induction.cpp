@@ -71,6 +71,9 @@ class Houdini {
   bool settle(std::vector<Item>& items, const InductionLimits& limits) {
     std::size_t shown = 0;  // items before this one follow from the rest
     std::size_t batch = kBatch;
+    // Implies those goals: what follows from them need not be shown again from
+    // the scan.
+    int so_far = sat_.new_variable();
     for (std::uint32_t round = 0; round < limits.rounds;) {
       std::vector<int> some_fails;
       const std::size_t next = next_batch(items, shown, batch, some_fails);
@@ -78,9 +81,11 @@ class Houdini {
       for (const Item& item : items) {
         if (item.alive && item.active != 0) sat_.assume(item.active);
       }
+      sat_.assume(so_far);
       sat_.constrain(some_fails);
       switch (sat_.solve(limits.conflicts)) {
         case SatAnswer::Unsat:
+          for (const int fails : some_fails) sat_.add({-so_far, -fails});
           shown = next;
           break;
         case SatAnswer::Unknown:
@@ -90,6 +95,7 @@ class Houdini {
         case SatAnswer::Sat:
           drop_failing(items);
           shown = 0;  // what was shown may have rested on them
+          so_far = sat_.new_variable();
           ++round;
           break;
       }

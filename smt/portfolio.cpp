@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
 #include <unordered_set>
 
 #include "smt/register_classes.h"
@@ -375,6 +376,22 @@ void Portfolio::search_hidden(std::uint32_t depth, std::int64_t conflicts) {
   }
 }
 
+/// How deep to search for what the simulation has runs to already: a shorter
+/// run is nicer, but each step more takes another pass over all before it.
+std::uint32_t Portfolio::worthwhile_depth() const {
+  constexpr double kGates = 2e5;  // visited in all
+  const bool all_met =
+      uses("simulation") &&
+      std::all_of(targets_.begin(), targets_.end(), [&](const Target* t) {
+        return !is_sought(*t, Sought::Shown) || t->hit.step != 0;
+      });
+  if (!all_met) return options_.max_depth;
+  const auto size = static_cast<double>(cone_.circuit().aig().size());
+  return std::clamp<std::uint32_t>(
+      static_cast<std::uint32_t>(std::sqrt(2 * kGates / size)), 8,
+      options_.max_depth);
+}
+
 /// From the first scan on when some target was left out so far: its bound is
 /// of every length below.
 void Portfolio::search_all_again() {
@@ -452,7 +469,7 @@ void Portfolio::run() {
   if (uses("bmc")) search(Sought::Shown, 4, 100);
   if (uses("induction") && any_doubtful()) guess_lemmas(Effort::Little);
   if (uses("bmc")) search(Sought::Shown, 8, 2000);
-  if (uses("bmc")) search(Sought::Shown, options_.max_depth, 500);
+  if (uses("bmc")) search(Sought::Shown, worthwhile_depth(), 500);
   if (uses("simulation")) take_hits(Sought::Shown, 0);
   if (uses("bmc")) search_hidden(8, 2000);
   if (uses("bmc")) search_hidden(24, 2000);

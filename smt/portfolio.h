@@ -78,6 +78,7 @@ class Portfolio {
   void search(Sought what, std::uint32_t depth, std::int64_t conflicts);
   bool search_depth(Sought what, std::int64_t conflicts);
   void search_hidden(std::uint32_t depth, std::int64_t conflicts);
+  std::uint32_t worthwhile_depth() const;
   void search_all_again();
   void found(Target& target, Run run);
   Stretches stretches() {
