@@ -101,10 +101,8 @@ class BoundText {
                           quoted(report_.question.response),
                           quoted(report_.question.cause));
     } else {
-      out_ += fmt::format(
-          ": {} need not come; from the end of this run on nothing changes "
-          "while the inputs stay",
-          quoted(report_.question.response));
+      out_ += fmt::format(": {} need not come: from the end of this run on {}",
+                          quoted(report_.question.response), time.reason);
     }
     out_ += '\n';
   }

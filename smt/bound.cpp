@@ -9,6 +9,7 @@
 #include "analysis/explanation.h"
 #include "analysis/simulator.h"
 #include "smt/run.h"
+#include "smt/standstill.h"
 
 namespace rung {
 namespace {
@@ -17,6 +18,7 @@ constexpr std::int64_t kMostTime = std::int64_t{366} * 24 * 3'600'000;
 constexpr std::uint64_t kExecuted = 20'000'000;  // rungs, to measure a run
 constexpr std::uint64_t kHeldRungs = 1'000'000;  // rungs, to see how it ends
 constexpr std::size_t kMostFlips = 32;           // inputs that are tried
+constexpr int kMostRounds = 8;  // runs that are looked at for going round
 constexpr double kShare = 0.5;  // of the time left, for one question
 constexpr double kScansShare = 0.05;
 constexpr int kMostSteps = 24;  // of galloping
@@ -51,6 +53,7 @@ class Evidence {
   }
   /// A run from whose end Q never comes.
   const std::optional<Stimulus>& never() const { return never_; }
+  const std::string& why_never() const { return why_never_; }
 
   void note(const Stimulus& stimulus) {
     measure(stimulus);
@@ -81,8 +84,32 @@ class Evidence {
     Held held =
         hold(program_, assumptions_, question_, std::move(stimulus),
              program_.scan.max_ms, executed_scans(program_, kHeldRungs));
-    if (held.end == Held::End::Never) never_ = std::move(held.stimulus);
-    if (held.end == Held::End::Answered) note(held.stimulus);
+    if (held.end == Held::End::Answered) return note(held.stimulus);
+    if (held.end == Held::End::Never) {
+      never_ = std::move(held.stimulus);
+      why_never_ = "nothing changes any more while the inputs stay";
+      return;
+    }
+    go_round(held.stimulus);
+  }
+
+  /// Other parts of the program may never rest.
+  void go_round(const Stimulus& stimulus) {
+    if (!is_waiting(stimulus) || rounds_++ >= kMostRounds) return;
+    if (!standstill_) standstill_.emplace(program_, assumptions_, question_);
+    const std::uint64_t limit = executed_scans(program_, kHeldRungs);
+    auto round = standstill_->find(stimulus, program_.scan.max_ms, limit);
+    if (!round || !is_waiting(*round)) return;
+    never_ = std::move(*round);
+    why_never_ = "the inputs stay, and it goes round for ever";
+  }
+
+  /// Does the run end with a P that waits, as the simulator has it?
+  bool is_waiting(const Stimulus& stimulus) const {
+    const Waits waits =
+        measure_waits(program_, assumptions_, question_, stimulus,
+                      executed_scans(program_, kExecuted));
+    return waits.valid && waits.open;
   }
 
   Stimulus at_pace(Stimulus stimulus, std::int64_t dt_ms) const {
@@ -124,6 +151,9 @@ class Evidence {
   std::array<std::optional<Shown>, 2> worst_;  // by SpanUnit
   std::array<std::optional<Shown>, 2> best_;
   std::optional<Stimulus> never_;
+  std::string why_never_;
+  std::optional<Standstill> standstill_;  // made when first needed
+  int rounds_ = 0;
 };
 
 /// Asks verify() about one property, within what is left of the time.
@@ -292,6 +322,7 @@ class SpanSearch {
   SpanBound conclude() {
     if (unbounded()) {
       bound_.kind = SpanBound::Kind::Unbounded;
+      bound_.reason = asker_.evidence().why_never();
       if (shown_) bound_.at_least = *shown_;
       show(*asker_.evidence().never());
       return std::move(bound_);
