@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "check/lemma.h"
+#include "check/ways.h"
 
 namespace rung::check {
 namespace {
@@ -118,8 +119,9 @@ void CertificateCheck::add(const ClaimedProperty& property, std::size_t index) {
     checked.outcome = Outcome::ByRun;
     return;
   }
-  if (goal->kind == Goal::Kind::Recover) {
-    checked.reason = "a certificate of `recoverable`";
+  if (goal->kind == Goal::Kind::Recover && property.has_certificate) {
+    if (holds) return add_ways(property, index, goal->condition);
+    checked.reason = "the trap of a violated `recoverable`";
     return;
   }
   checked.reason = "there is no certificate";
@@ -131,7 +133,7 @@ void CertificateCheck::add_to_group(const ClaimedProperty& property,
   const bool alone = property.k == 0 && property.lemmas.empty();
   const auto same =
       std::find_if(groups_.begin(), groups_.end(), [&](const Group& group) {
-        return !alone && group.proof.k == property.k &&
+        return !alone && group.is_shared && group.proof.k == property.k &&
                group.lemmas == property.lemmas &&
                group.conditions == property.conditions;
       });
@@ -151,6 +153,26 @@ void CertificateCheck::add_to_group(const ClaimedProperty& property,
   }
   group->proof.conditions.push_back({condition, property.name});
   group->properties.push_back(index);
+}
+
+/// Each in a proof of its own.
+void CertificateCheck::add_ways(const ClaimedProperty& property,
+                                std::size_t index, Value condition) {
+  Ways ways = read_ways(property.ways, condition, model_);
+  Group group;
+  bool cut_off = false;
+  std::string wrong = read_certificate(property, group, cut_off);
+  if (wrong.empty() && !ways.error.empty()) wrong = "way " + ways.error;
+  if (!wrong.empty()) {
+    checked_[index].outcome = cut_off ? Outcome::NotChecked : Outcome::Rejected;
+    checked_[index].reason = wrong;
+    return;
+  }
+  group.is_shared = false;
+  group.proof.conditions.push_back({ways.arrives, property.name});
+  group.proof.consequences = std::move(ways.leads_on);
+  group.properties.push_back(index);
+  groups_.push_back(std::move(group));
 }
 
 /// Conditions only help, so those that are not understood are left out: the

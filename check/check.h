@@ -60,12 +60,15 @@ class CertificateCheck {
     Proof proof;                          // of the properties alone
     std::vector<Claim> helpers;           // conditions that may be needed
     std::vector<std::size_t> properties;  // by condition: index of checked_
+    bool is_shared = true;                // by properties with these lemmas
     std::vector<Script> scripts;          // alone; with helpers
   };
 
   void add(const ClaimedProperty& property, std::size_t index);
   void add_to_group(const ClaimedProperty& property, std::size_t index,
                     Value condition);
+  void add_ways(const ClaimedProperty& property, std::size_t index,
+                Value condition);
   std::string read_certificate(const ClaimedProperty& property, Group& group,
                                bool& cut_off);
   void write_scripts(Group& group);

@@ -20,6 +20,7 @@ enum class Sign : std::uint8_t {
   Greater,
   GreaterEqual,
   Add,
+  Subtract,
   Multiply,
   Divide,
   Not,
@@ -32,7 +33,7 @@ struct Infix {
 };
 
 // The longest spelling first.
-constexpr std::array<Infix, 11> kInfixes = {{
+constexpr std::array<Infix, 12> kInfixes = {{
     {"||", Sign::Or, 2},
     {"&&", Sign::And, 3},
     {"==", Sign::Equal, 4},
@@ -42,6 +43,7 @@ constexpr std::array<Infix, 11> kInfixes = {{
     {"<", Sign::Less, 4},
     {">", Sign::Greater, 4},
     {"+", Sign::Add, 5},
+    {"-", Sign::Subtract, 5},
     {"*", Sign::Multiply, 6},
     {"/", Sign::Divide, 6},
 }};
@@ -238,6 +240,8 @@ class Reader {
         return a >= b;
       case Sign::Add:
         return a + b;
+      case Sign::Subtract:
+        return a - b;
       case Sign::Multiply:
         return a * b;
       default:

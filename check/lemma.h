@@ -15,7 +15,7 @@ struct Lemma {
   bool cut_off = false;
 };
 
-/// Reads `! && || == != < <= > >= + * / ?: wrap16(x)`, numbers, true and
+/// Reads `! && || == != < <= > >= + - * / ?: wrap16(x)`, numbers, true and
 /// false, names of the model, and bits of numbers as `T(0).elapsed[3]`.
 /// Iterative; linear in the text.
 Lemma read_lemma(std::string_view text, Model& model);

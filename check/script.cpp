@@ -73,6 +73,7 @@ class Writer {
     in_cone_.assign(terms_.size(), false);
     for (const Value value : model_.assumptions) add_to_cone(value.id);
     for (const Claim& claim : proof_.conditions) add_to_cone(claim.value.id);
+    for (const Claim& claim : proof_.consequences) add_to_cone(claim.value.id);
     const std::size_t needed = count_ranges();
     for (const Claim& claim : proof_.lemmas) add_to_cone(claim.value.id);
     script_.has_other_ranges = count_ranges() > needed;
@@ -109,16 +110,6 @@ class Writer {
       }
       for_operands(term, visit);
     }
-  }
-
-  template <class Visit>
-  static void for_operands(const Term& term, Visit visit) {
-    if (term.op < Op::Not) return;
-    visit(term.a);
-    const bool one =
-        term.op == Op::Not || term.op == Op::Divide || term.op == Op::Wrap;
-    if (!one) visit(term.b);
-    if (term.op == Op::Choose) visit(term.c);
   }
 
   /// Those of lemmas: they are written at the last scan's end, too.
@@ -305,6 +296,10 @@ class Writer {
       claim(at_scan("holds", i), symbol(proof_.conditions[i].value.id),
             scan_ + 1 < last);
     }
+    for (std::size_t i = 0; i < proof_.consequences.size(); ++i) {
+      claim(at_scan("leads", i), symbol(proof_.consequences[i].value.id),
+            false);
+    }
     for (std::size_t i = 0; i < proof_.helpers.size(); ++i) {
       claim(at_scan("helps", i), symbol(proof_.helpers[i].value.id),
             scan_ + 1 < last);
@@ -343,6 +338,11 @@ class Writer {
       question(given, at_scan("holds", i), scan_ + 1,
                {part + " of `" + proof_.conditions[i].what + "`", true,
                 static_cast<std::uint32_t>(i)});
+    }
+    for (std::size_t i = 0; i < proof_.consequences.size(); ++i) {
+      question(given, at_scan("leads", i), scan_,
+               {part + " of the way `" + proof_.consequences[i].what + "`",
+                false, ~0U});
     }
     for (std::size_t i = 0; i < proof_.helpers.size(); ++i) {
       question(given, at_scan("helps", i), scan_ + 1,

@@ -20,6 +20,9 @@ struct Proof {
   std::uint32_t k = 0;
   std::vector<Claim> lemmas;
   std::vector<Claim> conditions;
+  /// Also of every scan, and of those that the assumptions forbid, too. They
+  /// are not assumed in later scans.
+  std::vector<Claim> consequences;
   /// More conditions, that these may need.
   std::vector<Claim> helpers;
   /// Only what the conditions depend on stays in its ranges. They do not

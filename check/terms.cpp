@@ -69,6 +69,10 @@ void Terms::set_bounds(Term& term) const {
   } else if (term.op == Op::Choose) {
     const Term& c = list_[term.c];
     bounds = {std::min(b.low, c.low), std::max(b.high, c.high)};
+    // The smaller one of two.
+    if (a.op == Op::Less && a.a == term.b && a.b == term.c) {
+      bounds.high = std::min(b.high, c.high);
+    }
   }
   term.low = bounds.low;
   term.high = bounds.high;

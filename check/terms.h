@@ -87,6 +87,17 @@ class Terms {
   bool inexact_ = false;
 };
 
+/// Calls `visit` with each operand's id.
+template <class Visit>
+void for_operands(const Term& term, Visit visit) {
+  if (term.op < Op::Not) return;
+  visit(term.a);
+  const bool one =
+      term.op == Op::Not || term.op == Op::Divide || term.op == Op::Wrap;
+  if (!one) visit(term.b);
+  if (term.op == Op::Choose) visit(term.c);
+}
+
 Value operator~(Value a);
 Value operator&(Value a, Value b);
 Value operator|(Value a, Value b);

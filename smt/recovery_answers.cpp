@@ -35,13 +35,17 @@ double milliseconds_since(Clock::time_point start) {
       .count();
 }
 
-std::vector<std::string> lemmas_of(const TransitionSystem& ts,
-                                   const Recovery& recovery) {
-  std::vector<std::string> lemmas;
-  for (const LemmaClause& lemma : recovery.invariant.lemmas) {
-    lemmas.push_back(to_string(ts, lemma));
+void set_induction(const TransitionSystem& ts, const Recovery& recovery,
+                   Certificate& certificate) {
+  const Invariant& invariant = recovery.invariant;
+  certificate.k = invariant.k;
+  for (const LemmaClause& lemma : invariant.lemmas) {
+    certificate.lemmas.push_back(to_string(ts, lemma));
   }
-  return lemmas;
+  if (invariant.k == 0) return;
+  for (const ExprId condition : invariant.conditions) {
+    certificate.conditions.push_back(to_string(ts, condition));
+  }
 }
 
 }  // namespace
@@ -135,8 +139,7 @@ void RecoveryAnswers::conclude_recoverable(const Recovery& recovery,
                                            CheckedAnswer& answer) {
   ObligationResult& result = answer.result;
   result.certificate.emplace();
-  result.certificate->k = recovery.invariant.k;
-  result.certificate->lemmas = lemmas_of(ts_, recovery);
+  set_induction(ts_, recovery, *result.certificate);
   for (const Region& region : recovery.regions) {
     result.certificate->ways.push_back(to_string(ts_, region));
   }
@@ -157,8 +160,7 @@ void RecoveryAnswers::conclude_stuck(const Recovery& recovery,
   result.scans = scans_of(stimulus);
   if (options_.inject_wrong_trace) drop_last_scan(stimulus);
   result.certificate.emplace();
-  result.certificate->k = recovery.invariant.k;
-  result.certificate->lemmas = lemmas_of(ts_, recovery);
+  set_induction(ts_, recovery, *result.certificate);
   if (options_.self_check) {
     const RunEnd end = end_of_run(ts_, goal, stimulus);
     answer.failure = disagreement(program_, properties_, ts_, result.obligation,

@@ -2,9 +2,12 @@
 //
 // RUNG_CHECK_PROGRAMS: how many programs, with four lines each (500 unless
 // set; scripts/nightly: 20,000). RUNG_AGREEMENT_SEED: the first one.
+// RUNG_WRITE_PROGRAMS: a folder that they are written into.
 
 #include <gtest/gtest.h>
 
+#include <cstdlib>
+#include <fstream>
 #include <iostream>
 #include <map>
 #include <memory>
@@ -22,6 +25,7 @@ namespace {
 constexpr std::uint64_t kTogether = 250;  // programs in one process
 
 struct RandomProof {
+  std::string_view dialect;
   std::string text;
   std::unique_ptr<ReadProgram> read;
 };
@@ -35,6 +39,7 @@ RandomProof random_proof(std::uint64_t seed) {
   std::string error;
   const auto bare = read_program(generated.dialect, generated.text, error);
   RandomProof proof;
+  proof.dialect = generated.dialect;
   if (!bare) return proof;
   if (tape.pick(3) == 2) {
     proof.text += generate_assumption(bare->program, tape);
@@ -70,12 +75,22 @@ struct Count {
   }
 };
 
+/// For scripts/against-abc.
+void write(const RandomProof& proof, std::uint64_t seed) {
+  const char* const folder = std::getenv("RUNG_WRITE_PROGRAMS");
+  if (folder == nullptr) return;
+  std::ofstream(std::string(folder) + "/" + std::string(proof.dialect) + "-" +
+                std::to_string(seed) + ".rung")
+      << proof.text;
+}
+
 void confirm(std::uint64_t first, std::uint64_t end, Count& count) {
   Confirmation confirmation;
   std::vector<RandomProof> proofs;
   for (std::uint64_t seed = first; seed < end; ++seed) {
     RandomProof proof = random_proof(seed);
     if (!proof.read) continue;
+    write(proof, seed);
     // The checker is the only judge here.
     VerifyOptions options;
     options.budget.seconds = 1;

@@ -12,6 +12,7 @@
 
 #include "analysis/program.h"
 #include "analysis/property.h"
+#include "confirm.h"
 #include "frontend/recognise.h"
 #include "smt/verify.h"
 
@@ -142,6 +143,7 @@ Outcome outcome_of(const Example& example) {
     outcome.actual += line_of(name, actual);
     if (verdict != actual) outcome.errors += name + ": " + result.reason + "\n";
   }
+  outcome.errors += unconfirmed(program, properties, report);
   for (const SelfCheckFailure& failure : report.failures) {
     outcome.errors += failure.obligation + ": " + failure.what + "\n";
   }

@@ -11,6 +11,7 @@
 
 #include "analysis/program.h"
 #include "analysis/property.h"
+#include "confirm.h"
 #include "frontend/il_mitsubishi/reader.h"
 #include "smt/verify.h"
 
@@ -50,6 +51,8 @@ class Verdict {
       if (!result.obligation.built_in) text_ = to_string(result.verdict);
     }
     if (!report.failures.empty()) text_ = report.failures.front().what;
+    const std::string doubt = unconfirmed(program, set, report);
+    if (!doubt.empty()) text_ = doubt;
   }
 
   std::string text_;

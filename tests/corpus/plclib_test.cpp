@@ -12,6 +12,7 @@
 
 #include "analysis/program.h"
 #include "analysis/property.h"
+#include "confirm.h"
 #include "frontend/plclib/reader.h"
 #include "frontend/recognise.h"
 #include "smt/equivalence.h"
@@ -49,6 +50,8 @@ struct Sketch {
     if (list.has_errors()) return first_error();
     const VerifyReport report = verify(program, set, {});
     if (!report.failures.empty()) return report.failures.front().what;
+    const std::string doubt = unconfirmed(program, set, report);
+    if (!doubt.empty()) return doubt;
     for (const ObligationResult& result : report.results) {
       if (!result.obligation.built_in) {
         return std::string(to_string(result.verdict));

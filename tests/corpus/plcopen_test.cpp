@@ -14,6 +14,7 @@
 
 #include "analysis/program.h"
 #include "analysis/property.h"
+#include "confirm.h"
 #include "frontend/props_yaml.h"
 #include "frontend/recognise.h"
 #include "smt/equivalence.h"
@@ -373,6 +374,8 @@ std::string esbmc_verdict(const std::string& path, std::string_view semantics) {
   if (one.list.has_errors()) return one.list.items().front().message;
   const VerifyReport report = verify(one.program, set, {});
   if (!report.failures.empty()) return report.failures.front().what;
+  const std::string doubt = unconfirmed(one.program, set, report);
+  if (!doubt.empty()) return doubt;
   std::string verdict = "SAFE";
   for (const ObligationResult& result : report.results) {
     if (result.obligation.built_in) continue;

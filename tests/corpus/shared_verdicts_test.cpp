@@ -9,6 +9,7 @@
 
 #include "analysis/program.h"
 #include "analysis/property.h"
+#include "confirm.h"
 #include "frontend/recognise.h"
 #include "smt/verify.h"
 
@@ -28,8 +29,10 @@ std::string verdicts_of(const std::string& path) {
   const PropertySet properties = read_properties(program, {}, sources, found);
   if (found.has_errors()) return found.items().front().message;
   std::string verdicts;
-  for (const ObligationResult& result :
-       verify(program, properties, {}).results) {
+  const VerifyReport report = verify(program, properties, {});
+  const std::string doubt = unconfirmed(program, properties, report);
+  if (!doubt.empty()) return doubt;
+  for (const ObligationResult& result : report.results) {
     if (result.obligation.built_in) continue;
     verdicts +=
         (verdicts.empty() ? "" : " ") + std::string(to_string(result.verdict));

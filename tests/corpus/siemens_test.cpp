@@ -15,6 +15,7 @@
 #include "analysis/program.h"
 #include "analysis/property.h"
 #include "analysis/simulator.h"
+#include "confirm.h"
 #include "frontend/stl/reader.h"
 #include "smt/verify.h"
 
@@ -247,8 +248,9 @@ TEST(SiemensCorpus, ChecksAreProved) {
       read_properties(listing.program, {}, listing.sources, listing.list);
   ASSERT_FALSE(listing.list.has_errors());
   std::size_t proved = 0;
-  for (const ObligationResult& result :
-       verify(listing.program, set, {}).results) {
+  const VerifyReport report = verify(listing.program, set, {});
+  EXPECT_EQ(unconfirmed(listing.program, set, report), "");
+  for (const ObligationResult& result : report.results) {
     const bool check = result.obligation.name.starts_with("assert-");
     if (check && result.verdict == Verdict::Proved) ++proved;
   }
