@@ -156,7 +156,9 @@ class TextWriter {
   void write_proof(const FileReport& file, const ObligationResult& result) {
     if (!is_told(file, result)) return;
     if (result.certificate->lemmas.empty()) {
-      out_ += "    no lemma is needed: any scan alone shows it\n";
+      out_ += result.obligation.goal == Goal::Respond
+                  ? "    no lemma is needed beside its monitors\n"
+                  : "    no lemma is needed: any scan alone shows it\n";
     }
     for (const std::string& lemma : result.certificate->lemmas) {
       out_ += "    " + printable(in_words(lemma)) + "\n";
