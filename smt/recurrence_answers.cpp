@@ -136,6 +136,11 @@ bool RecurrenceAnswers::is_accepted(LivenessProof& proof,
   for (const LemmaClause& lemma : proof.invariant.lemmas) {
     certificate.lemmas.push_back(to_string(proof.ts, lemma));
   }
+  // Here the condition is not the property: it is always told.
+  certificate.k = proof.invariant.k;
+  for (const ExprId condition : proof.invariant.conditions) {
+    certificate.conditions.push_back(to_string(proof.ts, condition));
+  }
   if (options_.inject_wrong_invariant) proof.invariant.lemmas.emplace_back();
   if (options_.self_check) {
     std::vector<ExprId> goals = proof.no_faults;
