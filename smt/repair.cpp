@@ -29,7 +29,7 @@ class Candidates {
  public:
   Candidates(const Program& program, const std::vector<RungId>& rungs,
              const std::vector<CellId>& named)
-      : program_(program), rungs_(rungs), named_(named) {
+      : program_(program) {
     for (const bool series : {true, false}) {
       for (const bool negated : {series, !series}) {
         for (const RungId rung : rungs) {
@@ -123,8 +123,6 @@ class Candidates {
   }
 
   const Program& program_;
-  const std::vector<RungId>& rungs_;
-  const std::vector<CellId>& named_;
   std::vector<Way> ways_;
 };
 

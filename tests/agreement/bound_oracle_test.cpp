@@ -6,14 +6,19 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdint>
+#include <filesystem>
+#include <fstream>
 #include <iostream>
 #include <optional>
+#include <sstream>
 #include <string>
 #include <vector>
 
 #include "analysis/response.h"
 #include "bound_search.h"
+#include "frontend/recognise.h"
 #include "property_generator.h"
 #include "random_run.h"
 #include "shrink_tape.h"
@@ -32,6 +37,8 @@ struct Outcome {
   std::string text;
   std::string wrong;
 };
+
+std::uint64_t wanted_questions() { return setting("RUNG_ORACLE_BOUNDS", 40); }
 
 PropertySet reaches(const std::vector<std::string>& formulas) {
   PropertySet set;
@@ -99,6 +106,35 @@ void compare(const ResponseBounds& found, const Extremes& truth,
   }
 }
 
+/// Holds one question against the search; nothing when there is too much to
+/// search.
+void hold_against_search(Program& program, const PropertySet& properties,
+                         const std::string& question, Outcome& outcome) {
+  SourceSet texts;
+  const FileId file = texts.add("question", question);
+  DiagnosticList refused;
+  const auto asked =
+      read_response(program, Slice{texts[file].text(), {file, 0, 0}}, refused);
+  if (!asked) return;
+  TransitionSystem ts = build_transition_system(program);
+  PropertySet set = reaches({asked->cause, asked->response, rise_of(*asked)});
+  set.assumptions = properties.assumptions;
+  const StateSearch search =
+      search_states(ts, make_obligations(program, set, ts), kMaxStates);
+  if (!search.complete || !search.runs) return;
+  outcome.searched = true;
+  VerifyOptions options;
+  options.budget.seconds = 2;
+  options.budget.max_depth = 40;
+  const ResponseBounds found =
+      find_bounds(program, properties, *asked, options);
+  if (!found.failures.empty()) {
+    outcome.wrong = found.failures.front().what;
+    return;
+  }
+  compare(found, find_extremes(search), outcome);
+}
+
 Outcome check(const std::vector<std::uint32_t>& numbers) {
   Tape tape(numbers);
   Outcome outcome;
@@ -115,35 +151,90 @@ Outcome check(const std::vector<std::uint32_t>& numbers) {
   outcome.text = lines + generated.text + "// " + question + "\n";
   auto read = read_program(generated.dialect, lines + generated.text, error);
   if (!read) return outcome;
-  SourceSet texts;
-  const FileId file = texts.add("question", question);
-  DiagnosticList refused;
-  const auto asked = read_response(
-      read->program, Slice{texts[file].text(), {file, 0, 0}}, refused);
-  if (!asked) return outcome;
-
-  TransitionSystem ts = build_transition_system(read->program);
-  PropertySet set = reaches({asked->cause, asked->response, rise_of(*asked)});
-  set.assumptions = read->properties.assumptions;
-  const StateSearch search =
-      search_states(ts, make_obligations(read->program, set, ts), kMaxStates);
-  if (!search.complete || !search.runs) return outcome;
-  outcome.searched = true;
-  VerifyOptions options;
-  options.budget.seconds = 2;
-  options.budget.max_depth = 40;
-  const ResponseBounds found =
-      find_bounds(read->program, read->properties, *asked, options);
-  if (!found.failures.empty()) {
-    outcome.wrong = found.failures.front().what;
-    return outcome;
-  }
-  compare(found, find_extremes(search), outcome);
+  hold_against_search(read->program, read->properties, question, outcome);
   return outcome;
 }
 
+/// An example program with scans of 10 ms; no value for what cannot be
+/// searched.
+std::optional<ReadProgram> example(const std::filesystem::path& path) {
+  std::ifstream in(path, std::ios::binary);
+  std::ostringstream text;
+  text << in.rdbuf();
+  ReadProgram read;
+  DiagnosticList found;
+  const FileId file = read.sources.add(path.filename().string(), text.str());
+  const Ast ast =
+      recognise(read.sources[file].text()).read(read.sources, file, {}, found);
+  read.program = build_program(ast, {}, found);
+  if (found.has_errors()) return std::nullopt;
+  read.properties = read_properties(read.program, {}, read.sources, found);
+  if (found.has_errors()) return std::nullopt;
+  read.program.scan = {10, 10};
+  const bool words = std::any_of(
+      read.program.cells.begin(), read.program.cells.end(),
+      [](const Cell& cell) {
+        return cell.role == CellRole::Input && cell.type == Type::Word;
+      });
+  if (words) return std::nullopt;
+  return read;
+}
+
+/// From each of some inputs to each of some outputs.
+std::vector<std::string> questions_about(const Program& program) {
+  std::vector<std::string> inputs;
+  std::vector<std::string> outputs;
+  for (const Cell& cell : program.cells) {
+    if (cell.type != Type::Bit) continue;
+    if (cell.role == CellRole::Input) inputs.push_back(cell.name);
+    if (cell.role == CellRole::Output) outputs.push_back(cell.name);
+  }
+  std::vector<std::string> questions;
+  const std::size_t most = wanted_questions() < 100 ? 1 : 2;
+  for (std::size_t i = 0; i < inputs.size() && i < most; ++i) {
+    for (std::size_t j = 0; j < outputs.size() && j < most; ++j) {
+      questions.push_back("rose(" + inputs[i] + ") -> " + outputs[j]);
+      questions.push_back(inputs[i] + " -> " + outputs[j] + " || !" +
+                          inputs[i]);
+    }
+  }
+  return questions;
+}
+
+TEST(BoundOracle, TimesOfTheExamplesAreRight) {
+  std::vector<std::filesystem::path> paths;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(
+           RUNG_SOURCE_DIR "/corpus")) {
+    if (entry.path().extension() == ".rung") paths.push_back(entry.path());
+  }
+  std::sort(paths.begin(), paths.end());
+  int programs = 0;
+  Outcome all;
+  for (const std::filesystem::path& path : paths) {
+    auto read = example(path);
+    if (!read) continue;
+    bool any = false;
+    for (const std::string& question : questions_about(read->program)) {
+      Outcome outcome;
+      hold_against_search(read->program, read->properties, question, outcome);
+      EXPECT_EQ(outcome.wrong, "") << path << ": " << question;
+      any = any || outcome.searched;
+      if (!outcome.searched) break;
+      all.exact += outcome.exact;
+      all.unbounded += outcome.unbounded;
+      all.open += outcome.open;
+    }
+    programs += any ? 1 : 0;
+  }
+  std::cout << programs << " of " << paths.size() << " programs searched, "
+            << all.exact << " exact, " << all.unbounded << " unbounded, "
+            << all.open << " open\n";
+  EXPECT_GT(programs, 5);
+  EXPECT_GT(all.exact, 0);
+}
+
 TEST(BoundOracle, NoTimeIsWrong) {
-  const std::uint64_t wanted = setting("RUNG_ORACLE_BOUNDS", 40);
+  const std::uint64_t wanted = wanted_questions();
   const std::uint64_t first = setting("RUNG_AGREEMENT_SEED", 1);
   std::uint64_t searched = 0;
   Outcome all;
