@@ -219,13 +219,10 @@ std::int64_t FormulaEncoder::initial_value(Value term) const {
 Value FormulaEncoder::older(Value term, std::int64_t initial,
                             std::string_view name, std::uint32_t from,
                             std::uint32_t back) {
-  std::string text;
-  for (std::uint32_t i = 0; i < from; ++i) text += "prev(";
-  std::string closing(from, ')');
-  for (std::uint32_t i = from; i < back; ++i) {
-    text += "prev(";
-    closing += ')';
-    term = remembered(term, initial, text + std::string(name) + closing);
+  std::string called(name);
+  for (std::uint32_t i = 0; i < back; ++i) {
+    called.insert(0, "prev(").push_back(')');
+    if (i >= from) term = remembered(term, initial, called);
   }
   return term;
 }

@@ -101,8 +101,8 @@ class ScanEncoder {
   void pass_time(const Instance& instance, const Kind& kind,
                  std::vector<Value>& now) {
     if (kind.running == nullptr) return;
-    static const std::vector<Value> kNone;
-    Element element(terms_, now, kNone, instance.largest_parameter,
+    const std::vector<Value> none;
+    Element element(terms_, now, none, instance.largest_parameter,
                     program_.scan.max_ms);
     const Value runs = kind.running(element);
     for (std::size_t i = 0; i < now.size(); ++i) {

@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
+#include <exception>
 #include <string>
 #include <vector>
 
@@ -18,7 +19,10 @@
 namespace rung::check {
 namespace {
 
-enum Exit : int { kConfirmed = 0, kRejected = 1, kBadInput = 2, kOpen = 3 };
+constexpr int kConfirmed = 0;
+constexpr int kRejected = 1;
+constexpr int kBadInput = 2;
+constexpr int kOpen = 3;
 
 struct Command {
   std::string source;
@@ -201,4 +205,13 @@ int run(int argc, char** argv) {
 }  // namespace
 }  // namespace rung::check
 
-int main(int argc, char** argv) { return rung::check::run(argc, argv); }
+int main(int argc, char** argv) {
+  try {
+    return rung::check::run(argc, argv);
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "rungproof-check: internal error: {}\n", error.what());
+  } catch (...) {
+    fmt::print(stderr, "rungproof-check: internal error\n");
+  }
+  return rung::kExitInternal;  // nothing was confirmed
+}

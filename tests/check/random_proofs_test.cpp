@@ -53,10 +53,11 @@ RandomProof random_proof(std::uint64_t seed) {
   return proof;
 }
 
-/// Ways back take long to be found.
-bool is_wanted(std::string_view name) {
-  return !name.starts_with("builtin.") && !name.starts_with("recoverable") &&
-         !name.ends_with(".releasable");
+/// Ways back take long to be found: not of every program.
+bool is_wanted(std::string_view name, std::uint64_t seed) {
+  const bool back =
+      name.starts_with("recoverable") || name.ends_with(".releasable");
+  return !name.starts_with("builtin.") && (!back || seed % 8 == 0);
 }
 
 struct Count {
@@ -95,7 +96,9 @@ void confirm(std::uint64_t first, std::uint64_t end, Count& count) {
     VerifyOptions options;
     options.budget.seconds = 1;
     options.budget.max_depth = 10;
-    options.wanted = is_wanted;
+    options.wanted = [seed](std::string_view name) {
+      return is_wanted(name, seed);
+    };
     options.self_check = false;
     const VerifyReport report =
         verify(proof.read->program, proof.read->properties, options);
