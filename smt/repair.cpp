@@ -153,22 +153,27 @@ class RepairSearch {
     const Candidates candidates(program_, rungs, named);
     const Stimulus stimulus =
         violated_.trace ? stimulus_of(program_, *violated_.trace) : Stimulus();
-    for (std::size_t i = 0; i < candidates.size(); ++i) {
-      if (deadline_.passed()) break;
+    std::optional<Repair> best;
+    std::size_t best_left = 0;  // violations with it
+    for (std::size_t i = 0, more = 0; i < candidates.size(); ++i) {
+      if (deadline_.passed() || (best && ++more > kMore)) break;
       Candidate candidate = candidates.make(i);
       if (!avoids(candidate.program, stimulus)) continue;
-      if (!is_proved(candidate.program) || !keeps_all(candidate.program)) {
-        continue;
-      }
-      return Repair{
-          candidate.rung, std::move(candidate.edit), candidate.where,
-          std::make_shared<const Program>(std::move(candidate.program))};
+      if (!is_proved(candidate.program)) continue;
+      const std::optional<std::size_t> left = left_over(candidate.program);
+      if (!left || (best && *left >= best_left)) continue;
+      best_left = *left;
+      best =
+          Repair{candidate.rung, std::move(candidate.edit), candidate.where,
+                 std::make_shared<const Program>(std::move(candidate.program))};
+      if (best_left == 0) break;
     }
-    return std::nullopt;
+    return best;
   }
 
  private:
   static constexpr double kOneTry = 2;
+  static constexpr std::size_t kMore = 32;  // candidates, once there is one
 
   /// The rungs that write a bit of the property, the one to blame first.
   std::vector<RungId> writers(const std::vector<CellId>& named,
@@ -200,20 +205,22 @@ class RepairSearch {
            report.results.front().verdict == Verdict::Proved;
   }
 
-  bool keeps_all(const Program& changed) const {
+  /// How many violations are left; no value when something proved is lost.
+  std::optional<std::size_t> left_over(const Program& changed) const {
     VerifyOptions all = options_;
     all.wanted = nullptr;
     const VerifyReport report = verify(changed, properties_, all);
-    if (!report.failures.empty()) return false;
-    return std::all_of(report.results.begin(), report.results.end(),
-                       [this](const ObligationResult& result) {
-                         const auto old = verdict_.find(result.obligation.name);
-                         const bool needed =
-                             old == verdict_.end() ||
-                             old->second == Verdict::Proved ||
-                             old->first == violated_.obligation.name;
-                         return !needed || result.verdict == Verdict::Proved;
-                       });
+    if (!report.failures.empty()) return std::nullopt;
+    std::size_t left = 0;
+    for (const ObligationResult& result : report.results) {
+      const auto old = verdict_.find(result.obligation.name);
+      const bool needed = old == verdict_.end() ||
+                          old->second == Verdict::Proved ||
+                          old->first == violated_.obligation.name;
+      if (needed && result.verdict != Verdict::Proved) return std::nullopt;
+      if (result.verdict == Verdict::Violated) ++left;
+    }
+    return left;
   }
 
   const Program& program_;

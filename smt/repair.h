@@ -13,7 +13,8 @@ namespace rung {
 /// `before` that was proved still is: so no repair kills a coil, for that it
 /// can be true is among what is proved. Tried in this order, on the rung to
 /// blame first: a contact of the property in series, or parallel; a contact
-/// less; a contact negated. Nothing when none of them holds in `seconds`.
+/// less; a contact negated. The first that leaves nothing violated, else one
+/// that leaves least. Nothing when none of them holds in `seconds`.
 ///
 /// `properties`, `before`: all of the file. `property` is that of `violated`
 /// there.

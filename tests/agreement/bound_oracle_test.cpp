@@ -124,7 +124,7 @@ void hold_against_search(Program& program, const PropertySet& properties,
   if (!search.complete || !search.runs) return;
   outcome.searched = true;
   VerifyOptions options;
-  options.budget.seconds = 2;
+  options.budget.seconds = 1;
   options.budget.max_depth = 40;
   const ResponseBounds found =
       find_bounds(program, properties, *asked, options);
