@@ -25,6 +25,7 @@ install(FILES ${PROJECT_BINARY_DIR}/rungproof-config.cmake
               ${PROJECT_BINARY_DIR}/rungproof-config-version.cmake
   DESTINATION ${cmake_dir})
 install(FILES ${PROJECT_SOURCE_DIR}/docs/rungproof.1
+              ${PROJECT_SOURCE_DIR}/docs/rungproof-check.1
   DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
 set(completions ${PROJECT_SOURCE_DIR}/app/completions)
 install(FILES ${completions}/rungproof.bash RENAME rungproof
