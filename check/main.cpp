@@ -168,6 +168,10 @@ int run(Command& command) {
   const Input result = read_input(command.result, sources);
   if (result.error) return bad_input(result.error->message);
   const ClaimedResult claimed = read_result(sources[result.file].text());
+  if (claimed.is_equivalence) {
+    fmt::print("not checked: `equiv` is not known here\n");
+    return kOpen;
+  }
   if (!claimed.error.empty()) {
     return bad_input(command.result + ": " + claimed.error);
   }

@@ -92,7 +92,9 @@ void read_file(const Json& json, ClaimedResult& result) {
 }
 
 void read_whole(const Json& json, ClaimedResult& result) {
-  if (text_of(json, "schema") != "rungproof.result/1") {
+  const std::string schema = text_of(json, "schema");
+  result.is_equivalence = schema == "rungproof.equiv/1";
+  if (schema != "rungproof.result/1") {
     throw BadResult{"its schema is not `rungproof.result/1`"};
   }
   const Json& files = list_of(json, "files");

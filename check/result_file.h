@@ -23,7 +23,8 @@ struct ClaimedProperty {
 
 /// A result of `rungproof check` or `rungproof prove` about one file.
 struct ClaimedResult {
-  std::string error;  // it is no such result
+  std::string error;            // it is no such result
+  bool is_equivalence = false;  // but one of `rungproof equiv`
   std::string language;
   std::string dialect;
   std::string semantics;

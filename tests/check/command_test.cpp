@@ -113,6 +113,8 @@ TEST_F(CheckCommand, SaysWhatItDoesNotCheck) {
   EXPECT_NE(said_.find("not checked: b: `settles` is not known here"),
             std::string::npos)
       << said_;
+  write("equiv.json", R"({"schema": "rungproof.equiv/1"})");
+  EXPECT_EQ(run("a.rung equiv.json"), 3) << said_;
   // A solver that is not there confirms nothing.
   ::setenv("RUNG_OLD_PATH", std::getenv("PATH"), 1);
   ::setenv("PATH", path_.c_str(), 1);
