@@ -49,14 +49,10 @@ class JsonWriter {
     if (file.program) {
       scan = {file.program->scan.min_ms, file.program->scan.max_ms};
     }
-    return {{"path", file.path},
-            {"language", file.language},
-            {"dialect", file.dialect},
-            {"semantics", file.semantics},
-            {"scan_ms", std::move(scan)},
-            {"rungs", rungs},
-            {"inputs", std::move(inputs)},
-            {"outputs", std::move(outputs)},
+    return {{"path", file.path},           {"language", file.language},
+            {"dialect", file.dialect},     {"semantics", file.semantics},
+            {"scan_ms", std::move(scan)},  {"rungs", rungs},
+            {"inputs", std::move(inputs)}, {"outputs", std::move(outputs)},
             {"notes", file.notes}};
   }
 

@@ -95,8 +95,10 @@ Number Numbers::negate(const Number& a) {
   return within(sum(flipped, constant(0), Gates::kTrue), -a.high, -a.low);
 }
 
-Number Numbers::multiply(const Number& a, const Number& b) {
-  if (a.bits.size() < b.bits.size()) return multiply(b, a);
+Number Numbers::multiply(const Number& x, const Number& y) {
+  const bool swapped = x.bits.size() < y.bits.size();
+  const Number& a = swapped ? y : x;
+  const Number& b = swapped ? x : y;
   if (a.bits.size() + b.bits.size() > 62) {
     overflow_ = true;
     return constant(0);

@@ -25,7 +25,7 @@ class Numbers {
   Number fresh(std::int64_t low, std::int64_t high);
   Number add(const Number& a, const Number& b);
   Number negate(const Number& a);
-  Number multiply(const Number& a, const Number& b);
+  Number multiply(const Number& x, const Number& y);
   /// Quotient and remainder of SMT-LIB. Precondition: `by` is not 0.
   struct Quotient {
     Number quotient;
