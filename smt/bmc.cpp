@@ -8,7 +8,7 @@ namespace {
 
 /// `bits` of the cone's states, with their values in `state`.
 std::vector<StateBit> starting_in(const Cone& cone, std::vector<StateBit> bits,
-                                  const std::vector<std::int64_t>* state) {
+                                  const SliceState* state) {
   if (state == nullptr) return bits;
   std::size_t at = 0;
   for (const std::uint32_t index : cone.states()) {
@@ -25,8 +25,7 @@ std::vector<StateBit> starting_in(const Cone& cone, std::vector<StateBit> bits,
 }  // namespace
 
 BoundedSearch::BoundedSearch(Cone& cone, const JumpCircuit* jump, AigLit never,
-                             const Deadline& deadline,
-                             const std::vector<std::int64_t>* from)
+                             const Deadline& deadline, const SliceState* from)
     : cone_(&cone),
       jump_(jump != nullptr && jump->useful() ? jump : nullptr),
       never_(never),

@@ -7,6 +7,7 @@
 #include "smt/jump.h"
 #include "smt/run.h"
 #include "smt/sat.h"
+#include "smt/slice_state.h"
 
 namespace rung {
 
@@ -20,8 +21,7 @@ class BoundedSearch {
   /// encoding is not the program.
   /// They start at power-up, or in the state `from`, by state index.
   BoundedSearch(Cone& cone, const JumpCircuit* jump, AigLit never,
-                const Deadline& deadline,
-                const std::vector<std::int64_t>* from = nullptr);
+                const Deadline& deadline, const SliceState* from = nullptr);
 
   /// Searches for a run of exactly `depth` steps (from 1) at whose end a target
   /// holds, over the cone's step graph.

@@ -89,7 +89,9 @@ class RecoverySearch::Impl {
 
   Values initial() const {
     Values values;
-    for (const State& state : ts_.states) values.push_back(state.init);
+    for (const std::uint32_t state : cone_.states()) {
+      values.set(state, ts_.states[state].init);
+    }
     return values;
   }
 

@@ -192,8 +192,7 @@ RunEnd end_of_run(const TransitionSystem& ts, ExprId goal,
   }
   Interpreter terms(ts, roots);
   end.allowed = run_terms(ts, stimulus, terms);
-  end.values.assign(ts.states.size(), 0);
-  for (const std::uint32_t i : end.states) end.values[i] = terms.state(i);
+  for (const std::uint32_t i : end.states) end.values.set(i, terms.state(i));
   end.onward = stimulus;
   RandomScans(ts, std::move(terms)).append(end.onward);
   return end;

@@ -8,6 +8,7 @@
 #include "analysis/trace.h"
 #include "smt/certificate.h"
 #include "smt/recovery.h"
+#include "smt/slice_state.h"
 
 namespace rung {
 
@@ -33,7 +34,7 @@ CertificateReport check_ways(CertificateSession& session, TransitionSystem& ts,
 struct RunEnd {
   bool allowed = false;               // the assumptions hold throughout
   std::vector<std::uint32_t> states;  // those that the goal depends on
-  std::vector<std::int64_t> values;   // by state index
+  SliceState values;                  // of these
   Stimulus onward;                    // the run, and random scans behind it
 };
 RunEnd end_of_run(const TransitionSystem& ts, ExprId goal,

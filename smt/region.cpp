@@ -88,7 +88,7 @@ ExprId allowed(TransitionSystem& ts) {
   return all;
 }
 
-bool contains(const Region& region, const std::vector<std::int64_t>& values) {
+bool contains(const Region& region, const SliceState& values) {
   return std::all_of(
       region.bounds.begin(), region.bounds.end(), [&](const Bound& bound) {
         std::int64_t value = values[bound.state];
@@ -119,7 +119,7 @@ std::string to_string(const TransitionSystem& ts, const Region& region) {
 
 StartingAt::StartingAt(TransitionSystem& ts,
                        const std::vector<std::uint32_t>& states,
-                       const std::vector<std::int64_t>& values)
+                       const SliceState& values)
     : ts_(ts), states_(states) {
   for (const std::uint32_t state : states_) {
     inits_.push_back(ts.states[state].init);

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "analysis/transition_system.h"
+#include "smt/slice_state.h"
 
 namespace rung {
 
@@ -51,8 +52,8 @@ ExprId clock_grows(TransitionSystem& ts, const Region& region);
 /// Every assumption holds in the scan.
 ExprId allowed(TransitionSystem& ts);
 
-/// A state by state index.
-bool contains(const Region& region, const std::vector<std::int64_t>& values);
+/// Is the state in it?
+bool contains(const Region& region, const SliceState& values);
 
 /// "Q0 && T(0).elapsed >= 4900: I1 = 1" in the program's names.
 std::string to_string(const TransitionSystem& ts, const Region& region);
@@ -60,9 +61,9 @@ std::string to_string(const TransitionSystem& ts, const Region& region);
 /// Runs of the system start in another state while this lives.
 class StartingAt {
  public:
-  /// `values` by state index, of the states named; the others start as ever.
+  /// `values` of the states named; the others start as ever.
   StartingAt(TransitionSystem& ts, const std::vector<std::uint32_t>& states,
-             const std::vector<std::int64_t>& values);
+             const SliceState& values);
   ~StartingAt();
   StartingAt(const StartingAt&) = delete;
   StartingAt& operator=(const StartingAt&) = delete;

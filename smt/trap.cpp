@@ -73,13 +73,12 @@ class TrapMaker {
 }  // namespace
 
 std::vector<Bound> trap_around(TransitionSystem& ts, Cone& cone, ExprId bad,
-                               const std::vector<std::int64_t>& state,
+                               const SliceState& state,
                                const Deadline& deadline) {
   return TrapMaker(ts, cone, bad, deadline).make(exactly(cone, state));
 }
 
-std::vector<Bound> exactly(const Cone& cone,
-                           const std::vector<std::int64_t>& state) {
+std::vector<Bound> exactly(const Cone& cone, const SliceState& state) {
   std::vector<Bound> bounds;
   const TransitionSystem& ts = cone.ts();
   for (const std::uint32_t i : cone.states()) {

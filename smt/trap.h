@@ -6,6 +6,7 @@
 #include "smt/cone.h"
 #include "smt/region.h"
 #include "smt/sat.h"
+#include "smt/slice_state.h"
 
 namespace rung {
 
@@ -16,11 +17,10 @@ namespace rung {
 /// Source: Flanagan, Leino, "Houdini, an Annotation Assistant for ESC/Java",
 ///         FME 2001.
 std::vector<Bound> trap_around(TransitionSystem& ts, Cone& cone, ExprId bad,
-                               const std::vector<std::int64_t>& state,
+                               const SliceState& state,
                                const Deadline& deadline);
 
 /// Every bound that holds of `state` alone, over the states of the cone.
-std::vector<Bound> exactly(const Cone& cone,
-                           const std::vector<std::int64_t>& state);
+std::vector<Bound> exactly(const Cone& cone, const SliceState& state);
 
 }  // namespace rung

@@ -50,9 +50,9 @@ void Ways::start_in(const Values& state) {
 }
 
 Ways::Values Ways::state_now() const {
-  Values values(ts_.states.size(), 0);
+  Values values;
   for (const std::uint32_t state : cone_.states()) {
-    values[state] = terms_.state(state);
+    values.set(state, terms_.state(state));
   }
   return values;
 }
@@ -157,9 +157,9 @@ std::optional<Ways::Values> Ways::any_outside() {
   sat_.assume(-literal(inside_));
   sat_.assume(-literal(left_out_));
   if (sat_.solve(kConflicts) != SatAnswer::Sat) return std::nullopt;
-  Values values(ts_.states.size(), 0);
+  Values values;
   for (const std::uint32_t state : cone_.states()) {
-    values[state] = model_value(ts_.states[state].var);
+    values.set(state, model_value(ts_.states[state].var));
   }
   return values;
 }

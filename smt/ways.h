@@ -9,6 +9,7 @@
 #include "smt/region.h"
 #include "smt/run.h"
 #include "smt/sat.h"
+#include "smt/slice_state.h"
 
 namespace rung {
 
@@ -22,7 +23,7 @@ namespace rung {
 ///         as ranking.
 class Ways {
  public:
-  using Values = std::vector<std::int64_t>;  // by state index
+  using Values = SliceState;
 
   /// `goal` is a term of a scan's end, of which `cone` was made.
   Ways(TransitionSystem& ts, Cone& cone, ExprId goal, const Deadline& deadline);
