@@ -62,13 +62,6 @@ constexpr const char* kPlant =
     "Q3 = (I3 || Q3) && !Q4; Q4 = Q3 || Q4;\n"
     "Q5 = C(0, 3, I4, 0, I5);\n";
 
-rlim_t used_addresses() {
-  std::ifstream pages("/proc/self/statm");
-  rlim_t count = 0;
-  pages >> count;
-  return count * static_cast<rlim_t>(sysconf(_SC_PAGESIZE));
-}
-
 class Starved : public testing::Test {
  protected:
   Starved() {
@@ -146,6 +139,13 @@ TEST_F(Starved, OfMemoryOnce) {
 
 // A sanitizer reserves more addresses than any limit leaves.
 #if !defined(__SANITIZE_ADDRESS__) && !defined(__clang__)
+rlim_t used_addresses() {
+  std::ifstream pages("/proc/self/statm");
+  rlim_t count = 0;
+  pages >> count;
+  return count * static_cast<rlim_t>(sysconf(_SC_PAGESIZE));
+}
+
 /// Of all memory beyond some, Z3's included: in a process of its own, which
 /// must end by itself.
 TEST_F(Starved, OfMemoryForGood) {
