@@ -35,6 +35,13 @@ class ObligationMaker {
  private:
   const Property& property() const { return properties_.properties[at_]; }
   ExprArena& exprs() { return ts_.exprs; }
+
+  /// One more, up to `most`. In steps: the order in which arguments are made is
+  /// the compiler's, and numbers of terms follow it.
+  ExprId counted(ExprId count, std::int64_t most) {
+    const ExprId next = exprs().add(count, exprs().word(1));
+    return exprs().minimum(next, exprs().word(most));
+  }
   ExprId formula(std::size_t number) {
     return terms_.term(property().formulas[number]);
   }
@@ -180,8 +187,7 @@ class ObligationMaker {
     const std::uint32_t state =
         ts_.add_state(monitor("age"), Type::Word, 0, limit, 0);
     const ExprId age = ts_.state_expr(state);
-    const ExprId older =
-        exprs().minimum(exprs().add(age, exprs().word(1)), exprs().word(limit));
+    const ExprId older = counted(age, limit);
     const ExprId idle = exprs().equal(age, exprs().word(0));
     const ExprId waiting = exprs().ite(idle, exprs().to_word(cause), older);
     ts_.states[state].next = exprs().ite(answer, exprs().word(0), waiting);
@@ -227,9 +233,7 @@ class ObligationMaker {
     const ExprId answer = formula(1);
     const std::uint32_t state =
         ts_.add_state(monitor("since"), Type::Word, 0, scans, scans);
-    const ExprId older =
-        exprs().minimum(exprs().add(ts_.state_expr(state), exprs().word(1)),
-                        exprs().word(scans));
+    const ExprId older = counted(ts_.state_expr(state), scans);
     ts_.states[state].next = exprs().ite(cause, exprs().word(0), older);
     const ExprId long_ago =
         exprs().less_equal(exprs().word(scans), ts_.states[state].next);
@@ -272,9 +276,7 @@ class ObligationMaker {
     const std::int64_t limit = property().scans + 1;
     const std::uint32_t state =
         ts_.add_state(monitor("rested"), Type::Word, 0, limit, 0);
-    const ExprId older =
-        exprs().minimum(exprs().add(ts_.state_expr(state), exprs().word(1)),
-                        exprs().word(limit));
+    const ExprId older = counted(ts_.state_expr(state), limit);
     ts_.states[state].next = exprs().ite(ts_.frozen, older, exprs().word(0));
     ExprId same = exprs().bit(true);
     for (const CellId id : ids_of(program_.cells)) {
