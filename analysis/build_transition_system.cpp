@@ -190,8 +190,10 @@ class Builder {
         state.running =
             exprs().conjunction(state.running, exprs().negation(ts_.frozen));
       }
-      const ExprId grown = exprs().minimum(exprs().add(now, ts_.of(ts_.dt)),
-                                           exprs().word(state.cap));
+      // In steps: the order of arguments is the compiler's.
+      const ExprId cap = exprs().word(state.cap);
+      const ExprId next = exprs().add(now, ts_.of(ts_.dt));
+      const ExprId grown = exprs().minimum(next, cap);
       element_.push_back(exprs().ite(state.running, grown, now));
     }
   }
