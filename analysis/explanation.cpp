@@ -5,7 +5,9 @@
 #include <set>
 #include <utility>
 
+#include "analysis/execute.h"
 #include "analysis/formula.h"
+#include "analysis/node_operands.h"
 #include "analysis/property_check.h"
 #include "analysis/simulator.h"
 
@@ -22,19 +24,9 @@ bool run_into(const Stimulus& stimulus, std::size_t steps, Simulator& simulator,
               std::uint64_t limit) {
   for (std::size_t at = 0; at <= steps; ++at) {
     const StimulusStep& step = stimulus.steps[at];
-    for (std::size_t i = 0; i < stimulus.inputs.size(); ++i) {
-      simulator.set_input(stimulus.inputs[i], step.inputs[i]);
-    }
-    std::uint64_t left = at == steps ? 1 : step.repeat;
-    while (left > 0) {
-      if (limit-- == 0) return false;
-      simulator.scan(step.dt_ms);
-      --left;
-      const std::uint64_t idle =
-          std::min(left, simulator.idle_scans(step.dt_ms));
-      simulator.skip(idle, step.dt_ms);
-      left -= idle;
-    }
+    set_inputs(simulator, stimulus, step);
+    const std::uint64_t scans = at == steps ? 1 : step.repeat;
+    if (!run_scans(simulator, scans, step.dt_ms, limit)) return false;
   }
   return true;
 }
@@ -275,48 +267,15 @@ class Chain {
   static void push_operands(const Node& node, std::int64_t now,
                             const Simulator& simulator,
                             std::vector<std::uint32_t>& stack) {
-    switch (node.op) {
-      case NodeOp::And:
-      case NodeOp::Or: {
-        // One operand decides a false AND and a true OR.
-        const bool one = (now != 0) == (node.op == NodeOp::Or);
-        const bool left = (simulator.node_value(node.a) != 0) == (now != 0);
-        if (one) {
-          stack.push_back(left ? node.a : node.b);
-          return;
-        }
-        stack.push_back(node.b);
-        stack.push_back(node.a);
-        return;
-      }
-      case NodeOp::Not:
-      case NodeOp::Negate:
-      case NodeOp::Wrap16:
-      case NodeOp::Wrap:
-      case NodeOp::ToWord:
-      case NodeOp::ToBit:
-        stack.push_back(node.a);
-        return;
-      case NodeOp::Xor:
-      case NodeOp::Equal:
-      case NodeOp::NotEqual:
-      case NodeOp::Less:
-      case NodeOp::LessEqual:
-      case NodeOp::Greater:
-      case NodeOp::GreaterEqual:
-      case NodeOp::Add:
-      case NodeOp::Subtract:
-      case NodeOp::Multiply:
-      case NodeOp::Divide:
-        stack.push_back(node.b);
-        stack.push_back(node.a);
-        return;
-      case NodeOp::Constant:
-      case NodeOp::Read:
-      case NodeOp::Call:
-      case NodeOp::Branch:
-        return;
+    if (node.op == NodeOp::And || node.op == NodeOp::Or) {
+      // One operand decides a false AND and a true OR.
+      const bool one = (now != 0) == (node.op == NodeOp::Or);
+      const bool left = (simulator.node_value(node.a) != 0) == (now != 0);
+      if (one) return stack.push_back(left ? node.a : node.b);
     }
+    const std::uint32_t count = operand_count(node.op);
+    if (count > 1) stack.push_back(node.b);
+    if (count > 0) stack.push_back(node.a);
   }
 
   const Program& program_;

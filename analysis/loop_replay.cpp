@@ -1,7 +1,9 @@
 #include "analysis/loop_replay.h"
 
 #include <algorithm>
+#include <limits>
 
+#include "analysis/execute.h"
 #include "analysis/simulator.h"
 
 namespace rung {
@@ -20,19 +22,10 @@ void append(Stimulus& run, const Stimulus& more) {
 }
 
 void execute(Simulator& simulator, const Stimulus& stimulus) {
+  std::uint64_t limit = std::numeric_limits<std::uint64_t>::max();
   for (const StimulusStep& step : stimulus.steps) {
-    for (std::size_t i = 0; i < stimulus.inputs.size(); ++i) {
-      simulator.set_input(stimulus.inputs[i], step.inputs[i]);
-    }
-    for (std::uint64_t left = step.repeat; left > 0;) {
-      simulator.scan(step.dt_ms);
-      --left;
-      if (left == 0) break;
-      const std::uint64_t idle =
-          std::min(left, simulator.idle_scans(step.dt_ms));
-      simulator.skip(idle, step.dt_ms);
-      left -= idle;
-    }
+    set_inputs(simulator, stimulus, step);
+    run_scans(simulator, step.repeat, step.dt_ms, limit);
   }
 }
 

@@ -4,6 +4,7 @@
 #include <limits>
 #include <utility>
 
+#include "analysis/execute.h"
 #include "analysis/formula.h"
 #include "analysis/property_check.h"
 #include "analysis/replay_formula.h"
@@ -113,30 +114,12 @@ class WaitWatch {
   bool was_ = false;          // P, a scan before
 };
 
-void set_inputs(const Stimulus& stimulus, const StimulusStep& step,
-                Simulator& simulator) {
-  for (std::size_t i = 0; i < stimulus.inputs.size(); ++i) {
-    simulator.set_input(stimulus.inputs[i], step.inputs[i]);
-  }
-}
-
 void run(const Stimulus& stimulus, std::uint64_t limit, WaitWatch& watch) {
-  std::uint64_t executed = 0;
   for (const StimulusStep& step : stimulus.steps) {
-    set_inputs(stimulus, step, watch.simulator());
-    std::uint64_t left = step.repeat;
-    while (left > 0) {
-      if (executed++ == limit) {
-        watch.waits().valid = false;
-        return;
-      }
-      watch.scan(step.dt_ms);
-      --left;
-      if (left == 0) break;
-      const std::uint64_t idle = std::min(left, watch.idle_scans(step.dt_ms));
-      watch.skip(idle, step.dt_ms);
-      left -= idle;
-    }
+    set_inputs(watch.simulator(), stimulus, step);
+    if (run_scans(watch, step.repeat, step.dt_ms, limit)) continue;
+    watch.waits().valid = false;
+    return;
   }
 }
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "analysis/execute.h"
 #include "reports/frame.h"
 #include "reports/unicode.h"
 
@@ -33,16 +34,8 @@ bool run(const Program& program, const Trace& trace, Simulator& simulator) {
         simulator.set_input(id, step.values[id.index()]);
       }
     }
-    std::uint64_t left = step.repeat;
-    while (left > 0) {
-      if (affordable-- == 0) return false;
-      simulator.scan(step.dt_ms);
-      --left;
-      const std::uint64_t idle =
-          std::min(left, simulator.idle_scans(step.dt_ms));
-      simulator.skip(idle, step.dt_ms);
-      left -= idle;
-    }
+    if (!run_scans(simulator, step.repeat, step.dt_ms, affordable))
+      return false;
   }
   return true;
 }

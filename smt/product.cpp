@@ -1,10 +1,11 @@
 #include "smt/product.h"
 
 #include <algorithm>
-#include <cassert>
 #include <string>
 #include <unordered_map>
 #include <utility>
+
+#include "smt/rebuilt.h"
 
 namespace rung {
 namespace {
@@ -31,38 +32,8 @@ class Importer {
 
  private:
   ExprId build(const Expr& e) {
-    ExprArena& exprs = to_.exprs;
-    const ExprId a = (*this)[e.op == ExprOp::Variable ? ExprId() : e.a];
-    const ExprId b = (*this)[e.b];
-    switch (e.op) {
-      case ExprOp::Constant:
-        return e.type == Type::Bit ? exprs.bit(e.value != 0)
-                                   : exprs.word(e.value);
-      case ExprOp::Variable:
-        return variable_[e.var.index()];
-      case ExprOp::Not:
-        return exprs.negation(a);
-      case ExprOp::And:
-        return exprs.conjunction(a, b);
-      case ExprOp::Xor:
-        return exprs.exclusive_or(a, b);
-      case ExprOp::Equal:
-        return exprs.equal(a, b);
-      case ExprOp::Less:
-        return exprs.less(a, b);
-      case ExprOp::Add:
-        return exprs.add(a, b);
-      case ExprOp::Multiply:
-        return exprs.multiply(a, b);
-      case ExprOp::Divide:
-        return exprs.divide(a, from_.exprs[e.b].value);
-      case ExprOp::Wrap16:
-        return exprs.wrap16(a);
-      case ExprOp::Ite:
-        return exprs.ite(a, b, (*this)[e.c]);
-    }
-    assert(false);
-    return {};
+    if (e.op == ExprOp::Variable) return variable_[e.var.index()];
+    return rebuilt(to_.exprs, e, (*this)[e.a], (*this)[e.b], (*this)[e.c]);
   }
 
   const TransitionSystem& from_;

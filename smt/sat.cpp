@@ -4,6 +4,8 @@
 #include <cadical.hpp>
 #include <chrono>
 
+#include "smt/solver_settings.h"
+
 namespace rung {
 namespace {
 
@@ -29,6 +31,17 @@ class DeadlineTerminator : public CaDiCaL::Terminator {
 };
 
 }  // namespace
+
+void prepare_for_queries(CaDiCaL::Solver& solver) {
+  solver.set("quiet", 1);
+  // Simplifying the formula between queries costs more than it saves.
+  for (const char* option : {"inprocessing", "rephase", "lucky", "walk"}) {
+    solver.set(option, 0);
+  }
+  // It takes the time of every call for its statistics: by the cheaper clock.
+  solver.set("realtime", 1);
+  solver.set("profile", 0);
+}
 
 Deadline::Deadline(double seconds)
     : at_ns_(now_ns() + static_cast<std::int64_t>(seconds * 1e9)) {}
@@ -85,15 +98,7 @@ Sat::Impl& Sat::impl() const {
   if (impl_ != nullptr) return *impl_;
   impl_ = std::make_unique<Impl>(deadline_);
   CaDiCaL::Solver& solver = impl_->solver;
-  solver.set("quiet", 1);
-  // Thousands of small queries on one formula: simplifying it between them
-  // costs more than it saves.
-  for (const char* option : {"inprocessing", "rephase", "lucky", "walk"}) {
-    solver.set(option, 0);
-  }
-  // It takes the time of every call for its statistics: by the cheaper clock.
-  solver.set("realtime", 1);
-  solver.set("profile", 0);
+  prepare_for_queries(solver);
   solver.connect_terminator(&impl_->terminator);
   return *impl_;
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <string_view>
 
+#include "analysis/node_operands.h"
 #include "analysis/rules/components.h"
 
 namespace rung {
@@ -59,47 +60,18 @@ class Indexer {
   void add_node(std::uint32_t i, std::uint32_t rung) {
     const Node& node = program_.nodes[i];
     index_.first[i] = i;
-    switch (node.op) {
-      case NodeOp::Constant:
-      case NodeOp::Branch:
-        return;
-      case NodeOp::Read:
-        reads_.emplace_back(node.cell.index(), i);
-        return;
-      case NodeOp::Call: {
-        const ElementCall& call = program_.calls[node.call];
-        index_.rung_of_call[node.call.index()] = rung;
-        if (!call.operation->reads) {
-          calls_.emplace_back(call.instance.index(), node.call.index());
-        }
-        for (const std::uint32_t argument : call.arguments) adopt(i, argument);
-        return;
+    if (node.op == NodeOp::Read) reads_.emplace_back(node.cell.index(), i);
+    if (node.op == NodeOp::Call) {
+      const ElementCall& call = program_.calls[node.call];
+      index_.rung_of_call[node.call.index()] = rung;
+      if (!call.operation->reads) {
+        calls_.emplace_back(call.instance.index(), node.call.index());
       }
-      case NodeOp::Not:
-      case NodeOp::Negate:
-      case NodeOp::Wrap16:
-      case NodeOp::Wrap:
-      case NodeOp::ToWord:
-      case NodeOp::ToBit:
-        adopt(i, node.a);
-        return;
-      case NodeOp::And:
-      case NodeOp::Or:
-      case NodeOp::Xor:
-      case NodeOp::Equal:
-      case NodeOp::NotEqual:
-      case NodeOp::Less:
-      case NodeOp::LessEqual:
-      case NodeOp::Greater:
-      case NodeOp::GreaterEqual:
-      case NodeOp::Add:
-      case NodeOp::Subtract:
-      case NodeOp::Multiply:
-      case NodeOp::Divide:
-        adopt(i, node.a);
-        adopt(i, node.b);
-        return;
+      for (const std::uint32_t argument : call.arguments) adopt(i, argument);
     }
+    const std::uint32_t count = operand_count(node.op);
+    if (count > 0) adopt(i, node.a);
+    if (count > 1) adopt(i, node.b);
   }
 
   const Program& program_;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "analysis/node_operands.h"
 #include "backend/unit/elements_common.h"
 
 namespace rung::backend {
@@ -15,38 +16,6 @@ constexpr Bounds k32Bits = {-2'147'483'648, 2'147'483'647};
 bool is_ring(NodeOp op) {
   return op == NodeOp::Add || op == NodeOp::Subtract ||
          op == NodeOp::Multiply || op == NodeOp::Negate;
-}
-
-std::uint32_t operands_of(NodeOp op) {
-  switch (op) {
-    case NodeOp::Constant:
-    case NodeOp::Read:
-    case NodeOp::Call:
-    case NodeOp::Branch:
-      return 0;
-    case NodeOp::Not:
-    case NodeOp::Negate:
-    case NodeOp::Wrap16:
-    case NodeOp::Wrap:
-    case NodeOp::ToWord:
-    case NodeOp::ToBit:
-      return 1;
-    case NodeOp::And:
-    case NodeOp::Or:
-    case NodeOp::Xor:
-    case NodeOp::Equal:
-    case NodeOp::NotEqual:
-    case NodeOp::Less:
-    case NodeOp::LessEqual:
-    case NodeOp::Greater:
-    case NodeOp::GreaterEqual:
-    case NodeOp::Add:
-    case NodeOp::Subtract:
-    case NodeOp::Multiply:
-    case NodeOp::Divide:
-      return 2;
-  }
-  return 0;
 }
 
 bool contains_call(const Terms& terms) {
@@ -210,7 +179,7 @@ void UnitBuilder::check_rung_words(const Rung& rung, std::vector<bool>& wraps) {
         node.op == NodeOp::Wrap16 || (wraps[at] && is_ring(node.op));
     if (through) {
       wraps[node.a] = true;
-      if (operands_of(node.op) == 2) wraps[node.b] = true;
+      if (operand_count(node.op) == 2) wraps[node.b] = true;
     }
     if (node.op == NodeOp::Wrap) {
       fail(node.where, "a word of another width than 16 bits");
@@ -335,7 +304,7 @@ void UnitBuilder::lower_node(std::uint32_t at) {
     default:
       break;
   }
-  const std::uint32_t count = operands_of(node.op);
+  const std::uint32_t count = operand_count(node.op);
   push_operator(terms_, node.op, node.type, count);
   starts_.resize(starts_.size() - count + 1);
   if (!open_.empty() && open_.back().join == at) open_.pop_back();

@@ -8,6 +8,7 @@
 #include <new>
 
 #include "smt/script/unit_propagation.h"
+#include "smt/solver_settings.h"
 
 namespace rung::script {
 namespace {
@@ -74,12 +75,7 @@ class Prover {
     // What is eliminated and put back has steps that unit propagation cannot
     // follow.
     solver_.configure("plain");
-    for (const char* option : {"inprocessing", "rephase", "lucky", "walk"}) {
-      solver_.set(option, 0);
-    }
-    solver_.set("quiet", 1);
-    solver_.set("realtime", 1);
-    solver_.set("profile", 0);
+    prepare_for_queries(solver_);
     solver_.trace_proof(proof_.get(), "proof");
   }
 

@@ -8,30 +8,14 @@
 #include <map>
 #include <string>
 
-#include "frontend/script/reader.h"
 #include "smt/merged_run.h"
 #include "smt/partition.h"
 #include "smt/verdicts.h"
 #include "smt/verify.h"
+#include "source.h"
 
 namespace rung {
 namespace {
-
-struct Source {
-  SourceSet sources;
-  Program program;
-  PropertySet properties;
-
-  explicit Source(const std::string& text) {
-    DiagnosticList sink;
-    const FileId file = sources.add("test.rung", text);
-    program = build_program(read_script(sources, file, "", sink), {}, sink);
-    properties = read_properties(program, {}, sources, sink);
-    for (const Diagnostic& d : sink.items()) {
-      EXPECT_NE(d.severity, Severity::Error) << d.message;
-    }
-  }
-};
 
 /// Text with each `#` replaced.
 std::string cell(std::string text, const std::string& number) {

@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "frontend/script/reader.h"
 #include "smt/verify.h"
+#include "source.h"
 
 namespace rung {
 namespace {
@@ -36,21 +36,6 @@ constexpr const char* kParts =
     "L0 = T(3, 5000, I16); L1 = T(4, 5000, I16);\n"
     "//@ deep: reach M0\n"
     "M0 = T(5, 90000, M1); M1 = (I17 || M1) && !I18;\n";
-
-struct Loaded {
-  explicit Loaded(const std::string& text) {
-    DiagnosticList sink;
-    const FileId file = sources.add("test.rung", text);
-    program = build_program(read_script(sources, file, "", sink), {}, sink);
-    properties = read_properties(program, {}, sources, sink);
-    for (const Diagnostic& d : sink.items()) {
-      EXPECT_NE(d.severity, Severity::Error) << d.message;
-    }
-  }
-  SourceSet sources;
-  Program program;
-  PropertySet properties;
-};
 
 std::string text_of(const Trace& trace) {
   std::string text;
@@ -93,7 +78,7 @@ std::vector<std::string> verdicts(const VerifyReport& report) {
 }
 
 TEST(SameAnswers, InAHundredRunsOfAnyNumberOfThreads) {
-  const Loaded loaded(kParts);
+  const Source loaded(kParts);
   const std::vector<std::string> first =
       answers(verify(loaded.program, loaded.properties, {}));
   ASSERT_GT(first.size(), 20U);
@@ -111,7 +96,7 @@ TEST(SameAnswers, InAHundredRunsOfAnyNumberOfThreads) {
 }
 
 TEST(SameAnswers, WithOtherRandomRuns) {
-  const Loaded loaded(kParts);
+  const Source loaded(kParts);
   const std::vector<std::string> first =
       verdicts(verify(loaded.program, loaded.properties, {}));
   for (std::uint64_t seed = 1; seed <= 25; ++seed) {
@@ -129,8 +114,8 @@ TEST(SameAnswers, APartIsDecidedAsIfItWereAlone) {
       "//@ dialect sim\n"
       "//@ lock: interlock A0, A1\n"
       "A0 = (I0 || A0) && !I1 && !A1; A1 = (I2 || A1) && !I1 && !A0;\n";
-  const Loaded one(alone);
-  const Loaded all(kParts);
+  const Source one(alone);
+  const Source all(kParts);
   VerifyOptions lock;
   lock.wanted = [](std::string_view name) { return name == "lock"; };
   EXPECT_EQ(answers(verify(one.program, one.properties, lock)),

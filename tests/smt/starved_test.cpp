@@ -13,8 +13,8 @@
 #include <new>
 #include <string>
 
-#include "frontend/script/reader.h"
 #include "smt/verify.h"
+#include "source.h"
 
 namespace {
 
@@ -64,19 +64,11 @@ constexpr const char* kPlant =
 
 class Starved : public testing::Test {
  protected:
-  Starved() {
-    DiagnosticList sink;
-    const FileId file = sources_.add("test.rung", kPlant);
-    program_ = build_program(read_script(sources_, file, "", sink), {}, sink);
-    properties_ = read_properties(program_, {}, sources_, sink);
-    for (const Diagnostic& d : sink.items()) {
-      EXPECT_NE(d.severity, Severity::Error) << d.message;
-    }
-    right_ = verdicts({});
-  }
+  Starved() { right_ = verdicts({}); }
 
   std::map<std::string, Verdict> verdicts(const VerifyOptions& options) {
-    const VerifyReport report = verify(program_, properties_, options);
+    const VerifyReport report =
+        verify(plant_.program, plant_.properties, options);
     EXPECT_TRUE(report.failures.empty());
     for (const SelfCheckFailure& failure : report.failures) {
       ADD_FAILURE() << failure.obligation << ": " << failure.what;
@@ -102,9 +94,7 @@ class Starved : public testing::Test {
     return open;
   }
 
-  SourceSet sources_;
-  Program program_;
-  PropertySet properties_;
+  const Source plant_{kPlant};
   std::map<std::string, Verdict> right_;
 };
 
