@@ -1,5 +1,4 @@
-// Reading a program's bytes, from flash where the controller has a separate
-// one. Internal.
+// Reading a program's bytes where they lie. Internal.
 #ifndef RUNGPROOF_BYTES_H
 #define RUNGPROOF_BYTES_H
 
@@ -8,24 +7,25 @@
 #include <avr/pgmspace.h>
 #endif
 
-#include "rungproof_machine.h"
+#include "rungproof_types.h"
 
 namespace rungproof {
 
-inline uint8_t read8(const uint8_t* program, Offset at) {
+inline uint8_t read8(const Source& program, Offset at) {
 #ifdef __AVR__
-  return pgm_read_byte(program + at);
+  return program.space == Space::Flash ? pgm_read_byte(program.bytes + at)
+                                       : program.bytes[at];
 #else
-  return program[at];
+  return program.bytes[at];
 #endif
 }
 
-inline uint16_t read16(const uint8_t* program, Offset at) {
+inline uint16_t read16(const Source& program, Offset at) {
   const uint16_t high = read8(program, at + 1);
   return static_cast<uint16_t>(read8(program, at) | (high << 8));
 }
 
-inline uint32_t read32(const uint8_t* program, Offset at) {
+inline uint32_t read32(const Source& program, Offset at) {
   return read16(program, at) |
          (static_cast<uint32_t>(read16(program, at + 2)) << 16);
 }

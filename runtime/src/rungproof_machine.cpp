@@ -14,7 +14,7 @@ const uint32_t kForever = 0xffffffffU;
 const uint8_t kFlag0 = 1;
 const uint8_t kFlag1 = 2;
 
-bool header_present(const uint8_t* program, uint32_t length) {
+bool header_present(const Source& program, uint32_t length) {
   return length >= kHeaderBytes && read8(program, 0) == kMagic0 &&
          read8(program, 1) == kMagic1 && read8(program, 2) == kMagic2 &&
          read8(program, 3) == kMagic3 &&
@@ -62,8 +62,11 @@ bool above_fifty_times(int32_t value, int32_t preset) {
 }  // namespace
 
 Machine::Machine()
-    : program_(nullptr),
+    : program_(nullptr, Space::Flash),
       layout_(),
+      memory_(nullptr),
+      memory_words_(0),
+      used_(0),
       words_(nullptr),
       slot_values_(nullptr),
       word_stack_(nullptr),
@@ -80,24 +83,45 @@ Machine::Machine()
       fault_(Fault::None),
       interval_held_(true) {}
 
-uint32_t Machine::memory_words(const uint8_t* program, uint32_t length) {
-  if (!header_present(program, length)) return 0;
-  return words_needed(read_layout(program));
+uint32_t Machine::memory_words(const uint8_t* program, uint32_t length,
+                               Space space) {
+  const Source source(program, space);
+  if (!header_present(source, length)) return 0;
+  return words_needed(read_layout(source));
 }
 
 Refusal Machine::begin(const uint8_t* program, uint32_t length,
-                       uint32_t* memory, uint32_t memory_words) {
-  Verifier verifier(program, length, memory, memory_words);
-  program_ = nullptr;
+                       uint32_t* memory, uint32_t memory_words, Space space) {
+  program_ = Source(nullptr, Space::Flash);
   layout_ = Layout();
+  memory_ = memory;
+  memory_words_ = memory_words;
+  used_ = 0;
+  return replace(program, length, space);
+}
+
+Refusal Machine::replace(const uint8_t* program, uint32_t length, Space space) {
+  const Source source(program, space);
+  const Refusal refusal = check(source, length);
+  if (refusal == Refusal::None) start(source);
+  return refusal;
+}
+
+Refusal Machine::check(const Source& program, uint32_t length) {
+  const Scratch scratch = {memory_ + used_, memory_words_ - used_};
+  Verifier verifier(program, length, memory_words_, scratch);
   refusal_ = verifier.verify();
   refused_at_ = verifier.at();
-  if (refusal_ != Refusal::None) return refusal_;
+  return refusal_;
+}
 
+void Machine::start(const Source& program) {
   program_ = program;
   layout_ = read_layout(program);
   scan_min_ = read32(program, kAtScanMin);
   scan_max_ = read32(program, kAtScanMax);
+  used_ = words_to_run(layout_);
+  uint32_t* const memory = memory_;
   // Signed words and bytes may alias the caller's array.
   words_ = reinterpret_cast<int32_t*>(memory);
   slot_values_ = memory + layout_.word_count;
@@ -106,13 +130,12 @@ Refusal Machine::begin(const uint8_t* program, uint32_t length,
   slot_flags_ = bits_ + layout_.bit_count;
   bit_stack_ = slot_flags_ + layout_.slot_count;
   reset();
-  return refusal_;
 }
 
 void Machine::reset() {
   fault_ = Fault::None;
   interval_held_ = true;
-  if (program_ == nullptr) return;
+  if (program_.bytes == nullptr) return;
   for (uint16_t bit = 0; bit != layout_.bit_count; ++bit) {
     const uint8_t attribute = read8(program_, layout_.attributes + bit);
     bits_[bit] = (attribute & kInitialBit) != 0 ? 1 : 0;
@@ -128,7 +151,7 @@ void Machine::reset() {
 }
 
 bool Machine::scan(uint32_t dt_ms) {
-  if (program_ == nullptr || fault_ != Fault::None) return false;
+  if (program_.bytes == nullptr || fault_ != Fault::None) return false;
   if (dt_ms < scan_min_ || dt_ms > scan_max_) interval_held_ = false;
   // Every timer grows, also one that nothing has started: starting sets it to
   // 0. It stays at its end, so no preset is passed twice in 49 days.
@@ -392,20 +415,20 @@ bool Machine::count_sim(uint16_t slot, int32_t preset) {
 }
 
 Role Machine::role(uint32_t cell) const {
-  if (program_ == nullptr || cell >= cell_count()) return Role::Memory;
+  if (program_.bytes == nullptr || cell >= cell_count()) return Role::Memory;
   return static_cast<Role>(
       read8(program_, layout_.attributes + static_cast<Offset>(cell)) &
       kRoleMask);
 }
 
 int32_t Machine::value(uint32_t cell) const {
-  if (program_ == nullptr || cell >= cell_count()) return 0;
+  if (program_.bytes == nullptr || cell >= cell_count()) return 0;
   return cell < layout_.bit_count ? bits_[cell]
                                   : words_[cell - layout_.bit_count];
 }
 
 bool Machine::set(uint32_t cell, int32_t value) {
-  if (program_ == nullptr || cell >= cell_count() ||
+  if (program_.bytes == nullptr || cell >= cell_count() ||
       role(cell) != Role::Input) {
     return false;
   }
@@ -438,7 +461,7 @@ uint32_t Machine::find(const char* name) const {
 }
 
 uint8_t Machine::name(uint32_t cell, char* buffer, uint8_t size) const {
-  if (program_ == nullptr || cell >= cell_count()) return 0;
+  if (program_.bytes == nullptr || cell >= cell_count()) return 0;
   Offset at = layout_.names;
   for (; cell != 0; --cell) at += 1U + read8(program_, at);
   const uint8_t length = read8(program_, at++);

@@ -12,60 +12,16 @@
 //         if (!machine.scan(elapsed_ms)) ...   // outputs to their safe state
 //         use machine.value(output);
 //
-// On AVR the program lies in flash: declare it PROGMEM.
+// On AVR the program lies in flash (declare it RUNGPROOF_FLASH), or in RAM if
+// begin() is told so.
 #ifndef RUNGPROOF_MACHINE_H
 #define RUNGPROOF_MACHINE_H
 
 #include <stdint.h>
 
+#include "rungproof_types.h"
+
 namespace rungproof {
-
-/// Why a program is refused. The numbers are part of the format.
-enum class Refusal : uint8_t {
-  None = 0,
-  TooShort = 1,         // fewer bytes than a header
-  BadMagic = 2,         // no postfix binary
-  BadVersion = 3,       // of a format that this machine does not know
-  BadLength = 4,        // the header's length is not the number of bytes
-  BadChecksum = 5,      // CRC-32
-  BadHeader = 6,        // unknown flag or dialect, or no scan interval
-  BadSections = 7,      // the sections do not fill the program exactly
-  BadCell = 8,          // attributes, or a range without its initial value
-  BadSlot = 9,          // unknown element kind, or an index below 0
-  BadName = 10,         // names do not match the cells, or hold bad bytes
-  BadNote = 11,         // property lines do not fill their section
-  BadOpcode = 12,       // no such instruction
-  BadEnd = 13,          // code stops inside an instruction or does not end
-  NotShortest = 14,     // an operand that a shorter instruction holds
-  BadAddress = 15,      // no such cell
-  BadElement = 16,      // no such slot, or a slot of another kind
-  WritesInput = 17,     // a rung's target is an input
-  StackUnderflow = 18,  // an operand is missing
-  StackNotEmpty = 19,   // a rung leaves a value behind, or is not finished
-  BadSkip = 20,         // a skip out of its rung, into an instruction, across
-                        // another, or between unequal stacks
-  StrictSkip = 21,      // a skip in a program of strict evaluation
-  BadDivisor = 22,      // the divisor is not a constant other than zero
-  WrongDepth = 23,      // claimed stack or skip depth is not the one computed
-  NoMemory = 24,        // the caller's memory is too small
-};
-
-/// Why scan() stopped. The machine then stays stopped until reset().
-enum class Fault : uint8_t {
-  None = 0,
-  Overflow = 1,  // a word or a counter would leave 32 bits
-  Range = 2,     // a word cell would leave its range
-};
-
-enum class Role : uint8_t { Input = 0, Output = 1, Memory = 2 };
-
-/// A position in a program. An array in flash is shorter than 64 KiB on AVR,
-/// and there 16-bit arithmetic takes half the code.
-#ifdef __AVR__
-typedef uint16_t Offset;
-#else
-typedef uint32_t Offset;
-#endif
 
 /// Where the parts of a program start, as byte offsets; and its counts.
 struct Layout {
@@ -90,12 +46,20 @@ class Machine {
 
   /// How many uint32_t of memory begin() needs for this program: 0 when the
   /// first 48 bytes are no header of this version. No other check is made.
-  static uint32_t memory_words(const uint8_t* program, uint32_t length);
+  static uint32_t memory_words(const uint8_t* program, uint32_t length,
+                               Space space = Space::Flash);
 
   /// Verifies the whole program, then resets. `program` and `memory` stay in
   /// use as long as the machine. Time: one pass over the program, linear.
   Refusal begin(const uint8_t* program, uint32_t length, uint32_t* memory,
-                uint32_t memory_words);
+                uint32_t memory_words, Space space = Space::Flash);
+
+  /// begin() with another program in the same memory. One that is refused
+  /// leaves the machine as it is: the old program and its image are valid
+  /// until the new one is verified as a whole. Verifying takes memory only for
+  /// skips, from what the old program leaves free.
+  Refusal replace(const uint8_t* program, uint32_t length,
+                  Space space = Space::Flash);
   Refusal refusal() const { return refusal_; }
   /// Byte offset in the program that refusal() speaks of.
   uint32_t refused_at() const { return refused_at_; }
@@ -148,8 +112,17 @@ class Machine {
   bool count_sim(uint16_t slot, int32_t preset);
   uint16_t address(bool wide);
 
-  const uint8_t* program_;
+  friend class Controller;
+  /// Whether the program could run in this machine's memory, from the word
+  /// `used_` of which verifying may write.
+  Refusal check(const Source& program, uint32_t length);
+  void start(const Source& program);
+
+  Source program_;
   Layout layout_;
+  uint32_t* memory_;
+  uint32_t memory_words_;
+  uint32_t used_;  // words of the memory that are in use
   int32_t* words_;
   uint32_t* slot_values_;  // elapsed ms; counter values
   int32_t* word_stack_;

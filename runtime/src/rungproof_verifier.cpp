@@ -5,7 +5,7 @@
 
 namespace rungproof {
 
-Layout read_layout(const uint8_t* program) {
+Layout read_layout(const Source& program) {
   Layout layout;
   layout.bit_count = read16(program, kAtBits);
   layout.word_count = read16(program, kAtWords);
@@ -27,22 +27,30 @@ Layout read_layout(const uint8_t* program) {
   return layout;
 }
 
-uint32_t words_needed(const Layout& layout) {
+uint32_t words_to_run(const Layout& layout) {
   const uint32_t wide =
       uint32_t{layout.word_count} + layout.slot_count + layout.word_stack;
   const uint32_t narrow =
       uint32_t{layout.bit_count} + layout.slot_count + layout.bit_stack;
-  const uint32_t run = wide + (narrow + 3) / 4;
-  const uint32_t verify = 2 * uint32_t{layout.branches};
+  return wide + (narrow + 3) / 4;
+}
+
+uint32_t words_to_verify(const Layout& layout) {
+  return 2 * uint32_t{layout.branches};
+}
+
+uint32_t words_needed(const Layout& layout) {
+  const uint32_t run = words_to_run(layout);
+  const uint32_t verify = words_to_verify(layout);
   return run > verify ? run : verify;
 }
 
-Verifier::Verifier(const uint8_t* program, uint32_t length, uint32_t* memory,
-                   uint32_t memory_words)
+Verifier::Verifier(const Source& program, uint32_t length,
+                   uint32_t memory_words, const Scratch& scratch)
     : program_(program),
       length_(length),
-      pending_(memory),
       memory_words_(memory_words),
+      scratch_(scratch),
       layout_(),
       at_(0),
       pc_(0),
@@ -122,8 +130,10 @@ Refusal Verifier::check_sections() {
     rest -= size;
   }
   if (rest != 0) return Refusal::BadSections;
-  return words_needed(layout_) <= memory_words_ ? Refusal::None
-                                                : Refusal::NoMemory;
+  return words_to_run(layout_) <= memory_words_ &&
+                 words_to_verify(layout_) <= scratch_.count
+             ? Refusal::None
+             : Refusal::NoMemory;
 }
 
 Refusal Verifier::check_cells() {

@@ -13,16 +13,27 @@ namespace rungproof {
 typedef Offset Depth;
 
 /// The header's counts and section starts, without any check.
-Layout read_layout(const uint8_t* program);
+Layout read_layout(const Source& program);
 
-/// How much memory verifying and running take.
+/// How much memory running takes, and verifying.
+uint32_t words_to_run(const Layout& layout);
+uint32_t words_to_verify(const Layout& layout);
+
+/// The larger of the two: they take turns with the memory.
 uint32_t words_needed(const Layout& layout);
+
+/// Memory that verifying may write.
+struct Scratch {
+  uint32_t* words;
+  uint32_t count;
+};
 
 class Verifier {
  public:
-  /// `memory` holds two words for each skip that is open at a time.
-  Verifier(const uint8_t* program, uint32_t length, uint32_t* memory,
-           uint32_t memory_words);
+  /// `memory_words`: what there is to run the program in. `scratch` holds two
+  /// words for each skip that is open at a time.
+  Verifier(const Source& program, uint32_t length, uint32_t memory_words,
+           const Scratch& scratch);
   Refusal verify();
   uint32_t at() const { return at_; }
 
@@ -53,13 +64,15 @@ class Verifier {
     return (static_cast<uint32_t>(bits_) << 16) | words_;
   }
   /// An open skip: its target, and both depths before it.
-  uint32_t* pending(Depth skip) const { return pending_ + size_t{2} * skip; }
+  uint32_t* pending(Depth skip) const {
+    return scratch_.words + size_t{2} * skip;
+  }
   bool has(uint8_t bytes) const { return layout_.names - pc_ >= bytes; }
 
-  const uint8_t* program_;
+  Source program_;
   uint32_t length_;
-  uint32_t* pending_;
   uint32_t memory_words_;
+  Scratch scratch_;
   Layout layout_;
   Offset at_;
   // The walk over the code: both stacks' depths at pc_, on every path.

@@ -1,0 +1,13 @@
+// Rungproof: proved rung programs on a controller. This is the header that a
+// sketch includes; docs/controllers.md tells the rest.
+#ifndef RUNGPROOF_H
+#define RUNGPROOF_H
+
+#include "rungproof_controller.h"
+#include "rungproof_machine.h"
+
+#ifdef ARDUINO
+#include "rungproof_arduino.h"
+#endif
+
+#endif
