@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <filesystem>
 
 #include "app/commands.h"
 #include "app/output.h"
@@ -18,6 +19,7 @@
 #include "backend/script/write.h"
 #include "backend/st/write.h"
 #include "base/text.h"
+#include "rungproof_controller.h"
 
 namespace rung {
 namespace {
@@ -77,22 +79,42 @@ std::optional<backend::Written> write_postfix(const Program& program,
                                               const Options& options,
                                               DiagnosticSink& sink) {
   std::optional<std::string> bytes =
-      options.binary ? lower_to_postfix_binary(program, sink)
-                     : lower_to_postfix_text(program, sink);
+      options.binary || options.header ? lower_to_postfix_binary(program, sink)
+                                       : lower_to_postfix_text(program, sink);
   if (!bytes) return std::nullopt;
   return backend::Written{.text = std::move(*bytes)};
+}
+
+/// Called after the file that is written, else after the program's.
+std::string header_of(const std::string& bytes, const Options& options) {
+  const std::filesystem::path path =
+      to_standard_output(options) ? options.files.front() : options.output;
+  const std::uint32_t words = rungproof::Controller::memory_words(
+      reinterpret_cast<const std::uint8_t*>(bytes.data()),
+      static_cast<std::uint32_t>(bytes.size()));
+  return postfix_header(bytes, words, path.stem().string());
+}
+
+std::optional<std::string> check_form(const Options& options) {
+  const char* const form = options.binary ? "--binary" : "--header";
+  if (!options.binary && !options.header) return std::nullopt;
+  if (options.to != "postfix") {
+    return fmt::format("{}: only postfix has a binary form", form);
+  }
+  if (options.binary && options.header) {
+    return "--header: the bytes or an array of them, not both";
+  }
+  const bool to_terminal = options.binary && to_standard_output(options) &&
+                           ::isatty(STDOUT_FILENO) != 0;
+  if (to_terminal) return "--binary: a terminal cannot show it";
+  return std::nullopt;
 }
 
 }  // namespace
 
 int run_lower(const Options& options) {
   if (const auto error = check_target(options)) return usage_error(*error);
-  if (options.binary && options.to != "postfix") {
-    return usage_error("--binary: only postfix has a binary form");
-  }
-  const bool to_terminal = options.binary && to_standard_output(options) &&
-                           ::isatty(STDOUT_FILENO) != 0;
-  if (to_terminal) return usage_error("--binary: a terminal cannot show it");
+  if (const auto error = check_form(options)) return usage_error(*error);
   Session session(options);
   if (session.error()) return usage_error(*session.error());
   if (session.inputs().size() != 1) {
@@ -118,7 +140,9 @@ int run_lower(const Options& options) {
           ? validate_written(*loaded.program, *written, options)
           : validate_translation(*loaded.program, written->text, options);
   if (validation.status != 0) return refuse(validation);
-  return write_lowered(options, written->text);
+  return write_lowered(options, options.header
+                                    ? header_of(written->text, options)
+                                    : written->text);
 }
 
 }  // namespace rung

@@ -260,6 +260,8 @@ void add_commands(CLI::App& app, RawOptions& raw, Options& options) {
   lower->add_option("-o,--output", options.output, "the file to write");
   lower->add_flag("--binary", options.binary,
                   "postfix: the bytes that a controller executes");
+  lower->add_flag("--header", options.header,
+                  "postfix: these bytes as an array that a sketch includes");
   CLI::App* to_checker = add_command(
       app, "export", "what is to be proved, for other model checkers");
   add_files(to_checker, options, 1, 1);

@@ -59,6 +59,7 @@ struct Options {
   // lower, run, render, rule
   std::string to;
   bool binary = false;
+  bool header = false;
   std::string output;
   std::string stimulus;
   std::optional<std::uint64_t> scans;

@@ -43,7 +43,7 @@ _rungproof() {
         case $command in
           prove) common+=" --sweep" ;;
           equiv) common+=" --rung --delay --settled --git" ;;
-          lower) common+=" --to --output --binary" ;;
+          lower) common+=" --to --output --binary --header" ;;
           export) common+=" --to --output" ;;
           run) common+=" --stimulus --scans --dt --out" ;;
           render) common+=" --ascii" ;;

@@ -1,7 +1,9 @@
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "analysis/program.h"
 #include "base/diagnostic.h"
@@ -21,5 +23,11 @@ std::optional<std::string> lower_to_postfix_text(const Program& program,
                                                  DiagnosticSink& sink);
 std::optional<std::string> lower_to_postfix_binary(const Program& program,
                                                    DiagnosticSink& sink);
+
+/// A binary as an array that a sketch includes: `NAME_program`, and
+/// `NAME_words`, the memory that a controller needs for it. What an identifier
+/// cannot hold is `_` in NAME.
+std::string postfix_header(std::string_view bytes, std::uint32_t memory_words,
+                           std::string_view name);
 
 }  // namespace rung
