@@ -10,7 +10,7 @@ all: $(RUNGPROOF)
 .PHONY: $(RUNGPROOF)
 $(RUNGPROOF):
 	scripts/deps
-	cmake --preset release
+	cmake --preset release $(CMAKE_OPTIONS)
 	cmake --build --preset release --target rungproof
 
 demo: all

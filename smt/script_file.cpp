@@ -1,23 +1,12 @@
 #include "smt/script_file.h"
 
-#include <unistd.h>
-
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 
+#include "base/temporary_file.h"
+
 namespace rung {
 namespace {
-
-std::string make_temporary() {
-  std::error_code ignored;
-  const std::filesystem::path folder =
-      std::filesystem::temp_directory_path(ignored);
-  std::string path = (folder / "rungproof-XXXXXX").string();
-  const int file = mkstemp(path.data());
-  if (file >= 0) close(file);
-  return path;
-}
 
 /// Names of properties are the user's: nothing in them may leave the folder.
 std::string file_stem(const std::string& name) {
@@ -38,7 +27,7 @@ ScriptFile::ScriptFile(const std::vector<const CertificateScript*>& scripts,
     : temporary_(directory.empty()) {
   std::error_code ignored;
   if (temporary_) {
-    path_ = make_temporary();
+    path_ = make_temporary_file();
   } else {
     std::filesystem::create_directories(directory, ignored);
     path_ = (std::filesystem::path(directory) / (file_stem(name) + ".smt2"))

@@ -21,11 +21,12 @@ const std::map<std::string, std::set<std::string>>& allowed() {
       {"analysis", {"base", "frontend"}},
       {"smt", {"base", "frontend", "analysis"}},
       {"backend", {"base", "analysis"}},
+      {"boards", {"base", "analysis", "backend"}},
       {"reports", {"base", "analysis"}},
       {"runtime", {}},
       {"app",
-       {"base", "frontend", "analysis", "smt", "backend", "reports",
-        "runtime"}},
+       {"base", "frontend", "analysis", "smt", "backend", "boards",
+        "reports", "runtime"}},
       {"check", {"base", "analysis", "app"}},
   };
   return table;

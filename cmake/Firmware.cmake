@@ -1,0 +1,65 @@
+# Firmware for controllers, by the cross compilers that Debian has. Where one is
+# missing nothing of its board is built or tested, and configuring says so;
+# with RUNG_REQUIRE_BOARDS, as .ci/run has it, that is an error.
+option(RUNG_REQUIRE_BOARDS "Fail where a cross compiler or emulator is missing"
+  OFF)
+find_program(RUNG_AVR_CXX avr-g++)
+find_program(RUNG_ARM_CXX arm-none-eabi-g++)
+find_program(RUNG_SIMAVR simavr)
+find_program(RUNG_QEMU_ARM qemu-system-arm)
+
+set(rung_missing_tools)
+foreach(tool RUNG_AVR_CXX RUNG_ARM_CXX RUNG_SIMAVR RUNG_QEMU_ARM)
+  if(NOT ${tool})
+    list(APPEND rung_missing_tools ${tool})
+  endif()
+endforeach()
+if(rung_missing_tools)
+  set(level STATUS)
+  if(RUNG_REQUIRE_BOARDS)
+    set(level FATAL_ERROR)
+  endif()
+  message(${level} "Boards are left out, firmware and tests, for want of: "
+    "${rung_missing_tools} (scripts/deps installs them)")
+endif()
+
+set(firmware_dir ${PROJECT_SOURCE_DIR}/boards/firmware)
+set(runtime_dir ${PROJECT_SOURCE_DIR}/runtime/src)
+set(machine_sources
+  ${runtime_dir}/rungproof_machine.cpp ${runtime_dir}/rungproof_verifier.cpp)
+set(firmware_warnings -Wall -Wextra $<$<BOOL:${RUNG_WERROR}>:-Werror>)
+file(GLOB firmware_headers CONFIGURE_DEPENDS
+  ${firmware_dir}/*.h ${runtime_dir}/*.h)
+# Flash and RAM of both AVR boards are shared out between replay and tape:
+# 32 KB; 2 and 2.5 KB.
+set(firmware_uno avr atmega328p 380)
+set(firmware_yun avr atmega32u4 500)
+set(firmware_arm arm cortex-m3 0)
+
+# rung_replay_firmware(FILE BOARD [FLAG...]): the replay for uno, yun or arm as
+# an image in the build directory; FLAGs serve tests that break it.
+function(rung_replay_firmware file board)
+  list(GET firmware_${board} 0 family)
+  list(GET firmware_${board} 1 mcu)
+  list(GET firmware_${board} 2 memory_words)
+  set(sources ${firmware_dir}/replay.cpp ${firmware_dir}/board_${family}.cpp
+    ${machine_sources})
+  if(family STREQUAL avr)
+    set(command ${RUNG_AVR_CXX} -mmcu=${mcu} -DF_CPU=16000000UL -flto
+      -fno-threadsafe-statics -DRUNG_TAPE_BYTES=16384
+      -DRUNG_MEMORY_WORDS=${memory_words}
+      -Wl,--defsym=__TEXT_REGION_LENGTH__=32768)
+  else()
+    set(command ${RUNG_ARM_CXX} -mcpu=${mcu} -mthumb -ffreestanding -nostdlib
+      -fno-asynchronous-unwind-tables -fno-tree-loop-distribute-patterns
+      -T ${firmware_dir}/arm.ld)
+    set(libraries -lgcc)
+  endif()
+  add_custom_command(OUTPUT ${file}
+    COMMAND ${command} -std=gnu++11 -Os -fno-exceptions -fno-rtti
+      ${firmware_warnings} -I${runtime_dir} -I${firmware_dir} ${ARGN}
+      ${sources} ${libraries} -o ${file}
+    DEPENDS ${sources} ${firmware_headers} ${firmware_dir}/arm.ld
+    COMMENT "Firmware ${file}"
+    COMMAND_EXPAND_LISTS VERBATIM)
+endfunction()

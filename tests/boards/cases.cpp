@@ -1,0 +1,86 @@
+#include "cases.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+
+#include "frontend/recognise.h"
+#include "program_generator.h"
+#include "random_run.h"
+
+namespace rung {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string read_file(const fs::path& path) {
+  std::ifstream in(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+}  // namespace
+
+bool Programs::add(const std::string& name, const std::string& text) {
+  Loaded& loaded = items_.emplace_back();
+  loaded.name = name;
+  DiagnosticList found;
+  const FileId file = loaded.sources.add(name, text);
+  const std::string_view named = declared_language(text);
+  const Language* const language =
+      named.empty() ? &recognise(text) : find_language(named);
+  bool good = language != nullptr && language->supported();
+  if (good) {
+    loaded.program = build_program(
+        language->read(loaded.sources, file, {}, found), {}, found);
+    good = !found.has_errors();
+  }
+  if (good) {
+    loaded.properties =
+        read_properties(loaded.program, {}, loaded.sources, found);
+    good = !found.has_errors();
+  }
+  if (!good) items_.pop_back();
+  return good;
+}
+
+void Programs::add_corpus() {
+  add_folder(RUNG_SOURCE_DIR "/corpus");
+  add_folder(RUNG_SOURCE_DIR "/../shared/corpus");
+}
+
+void Programs::add_folder(const std::string& folder) {
+  if (!fs::exists(folder)) return;
+  std::vector<std::string> paths;
+  for (const auto& entry : fs::recursive_directory_iterator(folder)) {
+    if (entry.is_regular_file() && entry.path().extension() != ".md") {
+      paths.push_back(entry.path().string());
+    }
+  }
+  std::sort(paths.begin(), paths.end());
+  for (const std::string& path : paths) add(path, read_file(path));
+}
+
+void Programs::add_random(std::uint64_t seed) {
+  const std::vector<std::uint32_t> numbers = random_tape(seed, 600);
+  Tape tape(numbers);
+  const GeneratedProgram generated = generate_program(tape, {});
+  add("random " + std::to_string(seed) + "\n" + generated.text,
+      "//@ language script\n//@ dialect " + std::string(generated.dialect) +
+          "\n" + generated.text);
+}
+
+bool make_case(const Loaded& loaded, std::uint64_t seed, std::uint64_t scans,
+               Case& result) {
+  const std::vector<std::uint32_t> numbers = random_tape(seed, 2000);
+  Tape tape(numbers);
+  result.name = loaded.name;
+  result.program = &loaded.program;
+  result.stimulus = scan_by_scan(random_stimulus(loaded.program, tape, scans));
+  DiagnosticList found;
+  const auto job = boards::make_job(loaded.program, result.stimulus, found);
+  if (job) result.job = *job;
+  return job.has_value();
+}
+
+}  // namespace rung
