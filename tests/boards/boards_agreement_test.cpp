@@ -104,25 +104,6 @@ std::size_t scans_of(const std::vector<Execution>& executions) {
   return scans;
 }
 
-struct BoardRun {
-  std::vector<Execution> executions;
-  std::string problem;
-};
-
-BoardRun run_board(const std::string& board, const std::string& variant,
-                   const std::vector<Case>& cases) {
-  const std::string elf =
-      RUNG_FIRMWARE_DIR "/" + variant + "-" + board + ".elf";
-  BoardRun run;
-  if (board == "arm") {
-    run.executions = run_arm(elf, cases, run.problem);
-  } else {
-    run.executions = run_avr(board == "uno" ? "atmega328p" : "atmega32u4", elf,
-                             cases, run.problem);
-  }
-  return run;
-}
-
 TEST(BoardAgreement, FiveExecutorsGiveOneAnswer) {
   const std::uint64_t count = setting("RUNG_BOARD_PROGRAMS", 200);
   const Bench bench = make_bench(count, true);

@@ -61,6 +61,50 @@ std::vector<boards::Job> next_batch(std::span<const Case> cases,
   return jobs;
 }
 
+BoardRun run_avr(const std::string& mcu, const std::string& elf,
+                 std::span<const Case> cases) {
+  constexpr std::uint64_t kMostCycles = 4'000'000'000;
+  BoardRun run;
+  AvrBoard board(mcu, elf);
+  run.problem = board.error();
+  if (!run.problem.empty()) return run;
+  const std::span<std::uint8_t> flash = board.flash();
+  const auto place = boards::find_tape_place(
+      {reinterpret_cast<const char*>(flash.data()), flash.size()});
+  if (!place) run.problem = "no place for a tape";
+  while (run.problem.empty() && run.executions.size() < cases.size()) {
+    const std::vector<boards::Job> jobs =
+        next_batch(cases.subspan(run.executions.size()), place->size);
+    if (jobs.empty()) {
+      run.problem = cases[run.executions.size()].name + " takes too much flash";
+      break;
+    }
+    const std::string tape = boards::write_tape(jobs);
+    std::copy(tape.begin(), tape.end(),
+              flash.begin() + static_cast<std::ptrdiff_t>(place->at));
+    board.reset();
+    if (board.run(kMostCycles) != AvrBoard::State::Done) {
+      run.problem = "the board does not come to the end";
+      break;
+    }
+    const boards::Playback playback =
+        boards::read_report(board.take_output(), jobs);
+    run.problem = playback.error;
+    run.executions.insert(run.executions.end(), playback.executions.begin(),
+                          playback.executions.end());
+  }
+  return run;
+}
+
+BoardRun run_arm(const std::string& elf, std::span<const Case> cases) {
+  std::vector<boards::Job> jobs;
+  for (const Case& test : cases) jobs.push_back(test.job);
+  const boards::Emulator emulator(*boards::find_board("arm"), elf);
+  if (!emulator.error().empty()) return {{}, emulator.error()};
+  boards::Playback playback = emulator.play(jobs, 300);
+  return {std::move(playback.executions), std::move(playback.error)};
+}
+
 }  // namespace
 
 Stimulus scan_by_scan(const Stimulus& stimulus) {
@@ -106,52 +150,12 @@ Execution run_system(const Program& program, const Stimulus& stimulus) {
   return execution;
 }
 
-std::vector<Execution> run_avr(const std::string& mcu, const std::string& elf,
-                               std::span<const Case> cases,
-                               std::string& problem) {
-  constexpr std::uint64_t kMostCycles = 2'000'000'000;
-  std::vector<Execution> executions;
-  AvrBoard board(mcu, elf);
-  problem = board.error();
-  if (!problem.empty()) return executions;
-  const std::span<std::uint8_t> flash = board.flash();
-  const auto place = boards::find_tape_place(
-      {reinterpret_cast<const char*>(flash.data()), flash.size()});
-  if (!place) problem = "no place for a tape";
-  while (problem.empty() && executions.size() < cases.size()) {
-    const std::vector<boards::Job> jobs =
-        next_batch(cases.subspan(executions.size()), place->size);
-    if (jobs.empty()) {
-      problem = cases[executions.size()].name + " does not fit into flash";
-      break;
-    }
-    const std::string tape = boards::write_tape(jobs);
-    std::copy(tape.begin(), tape.end(),
-              flash.begin() + static_cast<std::ptrdiff_t>(place->at));
-    board.reset();
-    if (board.run(kMostCycles) != AvrBoard::State::Done) {
-      problem = "the board does not come to the end";
-      break;
-    }
-    boards::Playback playback = boards::read_report(board.take_output(), jobs);
-    problem = playback.error;
-    executions.insert(executions.end(), playback.executions.begin(),
-                      playback.executions.end());
-  }
-  return executions;
-}
-
-std::vector<Execution> run_arm(const std::string& elf,
-                               std::span<const Case> cases,
-                               std::string& problem) {
-  std::vector<boards::Job> jobs;
-  for (const Case& test : cases) jobs.push_back(test.job);
-  const boards::Emulator emulator(*boards::find_board("arm"), elf);
-  problem = emulator.error();
-  if (!problem.empty()) return {};
-  boards::Playback playback = emulator.play(jobs, 300);
-  problem = playback.error;
-  return playback.executions;
+BoardRun run_board(const std::string& board, const std::string& firmware,
+                   std::span<const Case> cases) {
+  const std::string elf =
+      RUNG_FIRMWARE_DIR "/" + firmware + "-" + board + ".elf";
+  if (board == "arm") return run_arm(elf, cases);
+  return run_avr(board == "uno" ? "atmega328p" : "atmega32u4", elf, cases);
 }
 
 Program with_fault(Program program) {

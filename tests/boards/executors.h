@@ -35,17 +35,16 @@ Execution run_system(const Program& program, const Stimulus& stimulus);
 Execution run_machine(const Case& test);
 Execution run_faulty_machine(const Case& test);
 
-/// On a board of libsimavr's ("atmega328p", "atmega32u4"): its tape is written
-/// into flash and the controller reset, as often as it takes. `problem` says
-/// what went wrong with the board itself.
-std::vector<Execution> run_avr(const std::string& mcu, const std::string& elf,
-                               std::span<const Case> cases,
-                               std::string& problem);
+struct BoardRun {
+  std::vector<Execution> executions;  // by case
+  std::string problem;                // with the board itself
+};
 
-/// By qemu-system-arm.
-std::vector<Execution> run_arm(const std::string& elf,
-                               std::span<const Case> cases,
-                               std::string& problem);
+/// On "uno", "yun" (libsimavr) or "arm" (qemu), with the firmware "replay" or
+/// the one with a fault, "faulty". As often as it takes, a tape is written into
+/// the flash of an AVR board and the board reset.
+BoardRun run_board(const std::string& board, const std::string& firmware,
+                   std::span<const Case> cases);
 
 /// The program that an executor with the fault takes this one for.
 Program with_fault(Program program);
