@@ -4,8 +4,12 @@
 #define RUNGPROOF_H
 
 #include "rungproof_controller.h"
+#include "rungproof_live.h"
 #include "rungproof_machine.h"
 
+#ifdef __AVR__
+#include "rungproof_eeprom.h"
+#endif
 #ifdef ARDUINO
 #include "rungproof_arduino.h"
 #endif

@@ -87,6 +87,8 @@ class Controller {
   void restart();
 
   State state() const { return state_; }
+  /// By the board's clock; of a program's first scan, when it was started.
+  uint32_t last_scan_ms() const { return last_ms_; }
   const Machine& machine() const { return machine_; }
   /// For inputs that are kNotWired.
   Machine& machine() { return machine_; }

@@ -1,6 +1,7 @@
 #include "rungproof_verifier.h"
 
 #include "rungproof_bytes.h"
+#include "rungproof_crc.h"
 #include "rungproof_format.h"
 
 namespace rungproof {
@@ -74,16 +75,12 @@ Refusal Verifier::verify() {
   return refusal;
 }
 
-// IEEE 802.3, bit by bit: a table costs flash and this runs once.
 uint32_t Verifier::checksum() const {
-  uint32_t crc = 0xffffffffU;
+  uint32_t crc = kCrcStart;
   const Offset length = static_cast<Offset>(length_);
   for (Offset at = 0; at != length; ++at) {
     if (at >= kAtChecksum && at < kAtChecksum + 4U) continue;
-    crc ^= read8(program_, at);
-    for (uint8_t bit = 0; bit != 8; ++bit) {
-      crc = (crc & 1U) != 0 ? (crc >> 1) ^ 0xedb88320U : crc >> 1;
-    }
+    crc = crc_add(crc, read8(program_, at));
   }
   return ~crc;
 }
