@@ -7,9 +7,12 @@ find_program(RUNG_AVR_CXX avr-g++)
 find_program(RUNG_ARM_CXX arm-none-eabi-g++)
 find_program(RUNG_SIMAVR simavr)
 find_program(RUNG_QEMU_ARM qemu-system-arm)
+find_path(RUNG_ARDUINO_CORE cores/arduino/Arduino.h
+  PATHS /usr/share/arduino/hardware/arduino/avr)
 
 set(rung_missing_tools)
-foreach(tool RUNG_AVR_CXX RUNG_ARM_CXX RUNG_SIMAVR RUNG_QEMU_ARM)
+foreach(tool RUNG_AVR_CXX RUNG_ARM_CXX RUNG_SIMAVR RUNG_QEMU_ARM
+    RUNG_ARDUINO_CORE)
   if(NOT ${tool})
     list(APPEND rung_missing_tools ${tool})
   endif()
@@ -62,4 +65,34 @@ function(rung_replay_firmware file board)
     DEPENDS ${sources} ${firmware_headers} ${firmware_dir}/arm.ld
     COMMENT "Firmware ${file}"
     COMMAND_EXPAND_LISTS VERBATIM)
+endfunction()
+
+# The Arduino core, once a board.
+set(arduino_build ${CMAKE_COMMAND} -E env ARDUINO_AVR=${RUNG_ARDUINO_CORE}
+  ${PROJECT_SOURCE_DIR}/scripts/arduino)
+if(NOT rung_missing_tools)
+  foreach(board uno yun)
+    set(core ${PROJECT_BINARY_DIR}/boards/core-${board}.a)
+    add_custom_command(OUTPUT ${core}
+      COMMAND ${CMAKE_COMMAND} -E make_directory ${PROJECT_BINARY_DIR}/boards
+      COMMAND ${arduino_build} core ${board} ${core}
+      DEPENDS ${PROJECT_SOURCE_DIR}/scripts/arduino
+      COMMENT "Arduino core for ${board}" VERBATIM)
+    list(APPEND arduino_cores ${core})
+  endforeach()
+  add_custom_target(arduino_cores DEPENDS ${arduino_cores})
+endif()
+
+# rung_arduino_sketch(FILE BOARD SOURCE...): a sketch with the library of
+# runtime/, as the Arduino IDE builds it, for uno or yun.
+function(rung_arduino_sketch file board)
+  file(GLOB library CONFIGURE_DEPENDS ${runtime_dir}/*.cpp)
+  add_custom_command(OUTPUT ${file}
+    COMMAND ${arduino_build} sketch ${board}
+      ${PROJECT_BINARY_DIR}/boards/core-${board}.a ${file} ${ARGN} ${library}
+      -I${runtime_dir}
+    DEPENDS arduino_cores ${PROJECT_BINARY_DIR}/boards/core-${board}.a
+      ${PROJECT_SOURCE_DIR}/scripts/arduino ${ARGN} ${library}
+      ${firmware_headers}
+    COMMENT "Sketch ${file}" VERBATIM)
 endfunction()

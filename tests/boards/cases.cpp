@@ -1,5 +1,7 @@
 #include "cases.h"
 
+#include <gtest/gtest.h>
+
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
@@ -8,6 +10,7 @@
 #include "frontend/recognise.h"
 #include "program_generator.h"
 #include "random_run.h"
+#include "smt/verify.h"
 
 namespace rung {
 namespace {
@@ -45,9 +48,11 @@ bool Programs::add(const std::string& name, const std::string& text) {
 }
 
 void Programs::add_corpus() {
-  add_folder(RUNG_SOURCE_DIR "/corpus");
+  add_project_corpus();
   add_folder(RUNG_SOURCE_DIR "/../shared/corpus");
 }
+
+void Programs::add_project_corpus() { add_folder(RUNG_SOURCE_DIR "/corpus"); }
 
 void Programs::add_folder(const std::string& folder) {
   if (!fs::exists(folder)) return;
@@ -81,6 +86,37 @@ bool make_case(const Loaded& loaded, std::uint64_t seed, std::uint64_t scans,
   const auto job = boards::make_job(loaded.program, result.stimulus, found);
   if (job) result.job = *job;
   return job.has_value();
+}
+
+std::vector<Violation> find_violations(const Programs& programs) {
+  std::vector<Violation> violations;
+  for (Violation& run : find_runs(programs)) {
+    const bool witness = run.obligation.goal == Goal::Reach;
+    if (!witness) violations.push_back(std::move(run));
+  }
+  return violations;
+}
+
+std::vector<Violation> find_runs(const Programs& programs) {
+  std::vector<Violation> runs;
+  for (const Loaded& loaded : programs.items()) {
+    // What cannot be lowered runs on no board, and is not asked.
+    DiagnosticList found;
+    if (!boards::make_job(loaded.program, {}, found)) continue;
+    VerifyOptions options;
+    options.budget.seconds = 20;
+    const VerifyReport report =
+        verify(loaded.program, loaded.properties, options);
+    EXPECT_TRUE(report.failures.empty()) << loaded.name;
+    for (const ObligationResult& result : report.results) {
+      const bool reached = result.verdict == Verdict::Proved &&
+                           result.obligation.goal == Goal::Reach;
+      if (result.verdict != Verdict::Violated && !reached) continue;
+      if (!result.trace || result.trace->steps.empty()) continue;
+      runs.push_back({&loaded, result.obligation, *result.trace});
+    }
+  }
+  return runs;
 }
 
 }  // namespace rung

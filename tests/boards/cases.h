@@ -8,6 +8,7 @@
 
 #include "analysis/program.h"
 #include "analysis/property.h"
+#include "analysis/trace.h"
 #include "base/source.h"
 #include "executors.h"
 
@@ -29,6 +30,7 @@ class Programs {
   /// The files of the project's corpus, and of that of others beside the
   /// repository where it is there; those that are refused are left out.
   void add_corpus();
+  void add_project_corpus();
   void add_random(std::uint64_t seed);
 
   const std::deque<Loaded>& items() const { return items_; }
@@ -42,5 +44,18 @@ class Programs {
 /// lowered to the postfix format.
 bool make_case(const Loaded& loaded, std::uint64_t seed, std::uint64_t scans,
                Case& result);
+
+/// A property that is violated, or a state that can be reached, and the run
+/// that shows it.
+struct Violation {
+  const Loaded* loaded = nullptr;
+  Obligation obligation;
+  Trace trace;
+};
+
+/// All violations of the programs that can be lowered.
+std::vector<Violation> find_violations(const Programs& programs);
+/// The same and the witnesses of what can be reached.
+std::vector<Violation> find_runs(const Programs& programs);
 
 }  // namespace rung

@@ -10,17 +10,9 @@
 #include "analysis/explanation.h"
 #include "analysis/formula.h"
 #include "cases.h"
-#include "smt/verify.h"
 
 namespace rung {
 namespace {
-
-/// One violated property, with the values that its trace claims.
-struct Violation {
-  const Loaded* loaded = nullptr;
-  Obligation obligation;
-  Trace trace;
-};
 
 /// The last step of a trace may stand for many scans: its last scan gets a step
 /// of its own, so that the scan before it is seen, too.
@@ -125,25 +117,6 @@ Values initial_values(const Program& program) {
     values.push_back(program.cells[id].initial);
   }
   return values;
-}
-
-std::vector<Violation> find_violations(const Programs& programs) {
-  std::vector<Violation> violations;
-  for (const Loaded& loaded : programs.items()) {
-    // What cannot be lowered runs on no board, and is not asked.
-    DiagnosticList found;
-    if (!boards::make_job(loaded.program, {}, found)) continue;
-    VerifyOptions options;
-    options.budget.seconds = 20;
-    const VerifyReport report =
-        verify(loaded.program, loaded.properties, options);
-    EXPECT_TRUE(report.failures.empty()) << loaded.name;
-    for (const ObligationResult& result : report.results) {
-      if (result.verdict != Verdict::Violated || !result.trace) continue;
-      violations.push_back({&loaded, result.obligation, *result.trace});
-    }
-  }
-  return violations;
 }
 
 /// What the board's cells say of the violation; empty: what the proof says.

@@ -1,0 +1,56 @@
+// A program on a board's pins, as a user's sketch has it; only the clock is not
+// millis(): a test says how long each scan takes. Clock and scan counter are in
+// registers that nothing else uses.
+#include <Rungproof.h>
+
+struct Reserved {
+  char mark[16];
+  uint32_t size;
+  // The program behind its length, written here by the test.
+  uint8_t tape[8192];
+};
+const Reserved reserved PROGMEM __attribute__((used)) = {
+    {'r', 'u', 'n', 'g', 'p', 'r', 'o', 'o', 'f', ' ', 't', 'a', 'p', 'e', ' ',
+     '1'},
+    8192,
+    {0}};
+
+// Names that are not pins already.
+const rungproof::Pin pins[] RUNGPROOF_FLASH = {
+    {"I0", 2, 0},  {"I1", 4, 0},  {"I2", 5, 0},  {"I3", 6, 0},
+    {"I4", 7, 0},  {"I5", 8, 0},  {"Q0", 3, 0},  {"Q1", 13, 0},
+    {"Q2", 12, 0}, {"Q3", 11, 0}, {"Q4", 10, 0}, {"Q5", 9, 0},
+};
+
+class ScriptedClock : public rungproof::ArduinoIo {
+ public:
+  // Written while it is read: twice the same is whole.
+  uint32_t clock_ms() override {
+    uint16_t now = read();
+    for (uint16_t again = read(); again != now; again = read()) now = again;
+    clock_ += static_cast<uint16_t>(now - last_);
+    last_ = now;
+    return clock_;
+  }
+
+ private:
+  static uint16_t read() { return GPIOR1 | (GPIOR2 << 8); }
+  uint32_t clock_ = 0;
+  uint16_t last_ = 0;
+};
+
+uint32_t memory[200];
+ScriptedClock board;
+rungproof::Controller controller;
+
+void setup() {
+  const rungproof::Refusal refusal = controller.begin(
+      reserved.tape + 4, pgm_read_word(reserved.tape), memory, 200, board,
+      rungproof::Wiring(pins, sizeof pins / sizeof pins[0]));
+  // 128: ready; above: why not.
+  GPIOR0 = 128 + static_cast<uint8_t>(refusal);
+}
+
+void loop() {
+  if (controller.update()) GPIOR0 = (GPIOR0 + 1) & 127;
+}
