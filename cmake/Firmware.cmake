@@ -28,8 +28,10 @@ endif()
 
 set(firmware_dir ${PROJECT_SOURCE_DIR}/boards/firmware)
 set(runtime_dir ${PROJECT_SOURCE_DIR}/runtime/src)
-set(machine_sources
-  ${runtime_dir}/rungproof_machine.cpp ${runtime_dir}/rungproof_verifier.cpp)
+set(machine_sources)
+foreach(part bytes elements format layout machine run verifier words)
+  list(APPEND machine_sources ${runtime_dir}/rungproof_${part}.cpp)
+endforeach()
 set(firmware_warnings -Wall -Wextra $<$<BOOL:${RUNG_WERROR}>:-Werror>)
 file(GLOB firmware_headers CONFIGURE_DEPENDS
   ${firmware_dir}/*.h ${runtime_dir}/*.h)

@@ -2,15 +2,15 @@
 
 #include "rungproof_bytes.h"
 #include "rungproof_format.h"
-#include "rungproof_verifier.h"
+#include "rungproof_layout.h"
 
 namespace rungproof {
 namespace {
 
 /// A byte for each point, in words.
-uint32_t words_of_pins(const Source& program, const Layout& layout) {
-  uint32_t points = 0;
-  for (Offset at = layout.attributes; at != layout.ranges; ++at) {
+Offset words_of_pins(const Source& program, const Layout& layout) {
+  Offset points = 0;
+  for (Offset at = kHeaderBytes; at != layout.ranges; ++at) {
     if ((read8(program, at) & kRoleMask) != static_cast<uint8_t>(Role::Memory))
       ++points;
   }
@@ -73,7 +73,7 @@ Refusal Controller::check(const Source& program, uint32_t length,
       machine_.memory_words_) {
     refusal = Refusal::NoMemory;
   } else {
-    refusal = wiring_.check(program, layout, outputs, machine_.refused_at_);
+    refusal = wiring_.check(program, outputs, machine_.refused_at_);
   }
   machine_.refusal_ = refusal;
   return refusal;
@@ -83,9 +83,9 @@ Refusal Controller::check(const Source& program, uint32_t length,
 void Controller::start(const Source& program, const PinSet& held) {
   machine_.start(program);
   pins_ = reinterpret_cast<uint8_t*>(machine_.memory_ + machine_.used_);
-  machine_.used_ += words_of_pins(program, machine_.layout_);
+  machine_.used_ += words_of_pins(program, read_layout(program));
   uint8_t* next = pins_;
-  Points point(program, machine_.layout_);
+  Points point(program);
   while (point.next()) {
     uint8_t pin = kNotWired;
     int16_t rest = 0;
@@ -114,10 +114,10 @@ bool Controller::update() {
   const uint32_t elapsed = now - last_ms_;  // also across the roll-over
   if (elapsed < machine_.scan_min_ms()) return false;
   last_ms_ = now;
-  sample();
+  exchange(Role::Input);
   const bool complete = machine_.scan(elapsed);
   if (complete) {
-    drive();
+    exchange(Role::Output);
   } else {
     make_safe(PinSet());
     state_ = State::Faulted;
@@ -126,31 +126,22 @@ bool Controller::update() {
   return complete;
 }
 
-void Controller::sample() {
+// Reads all inputs, or writes all outputs.
+void Controller::exchange(Role role) {
   const uint8_t* next = pins_;
-  const uint32_t cells = machine_.cell_count();
-  for (uint32_t cell = 0; cell != cells; ++cell) {
-    const Role role = machine_.role(cell);
-    if (role == Role::Memory) continue;
+  const Offset cells = machine_.cells();
+  for (Offset cell = 0; cell != cells; ++cell) {
+    const Role found = machine_.role(cell);
+    if (found == Role::Memory) continue;
     const uint8_t pin = *next++;
-    if (role != Role::Input || pin == kNotWired) continue;
+    if (found != role || pin == kNotWired) continue;
     const Signal signal =
-        cell < machine_.bit_count() ? Signal::Bit : Signal::Word;
-    machine_.set(cell, io_->read(pin, signal));
-  }
-}
-
-void Controller::drive() {
-  const uint8_t* next = pins_;
-  const uint32_t cells = machine_.cell_count();
-  for (uint32_t cell = 0; cell != cells; ++cell) {
-    const Role role = machine_.role(cell);
-    if (role == Role::Memory) continue;
-    const uint8_t pin = *next++;
-    if (role != Role::Output || pin == kNotWired) continue;
-    const Signal signal =
-        cell < machine_.bit_count() ? Signal::Bit : Signal::Word;
-    io_->write(pin, signal, machine_.value(cell));
+        cell < machine_.bit_count_ ? Signal::Bit : Signal::Word;
+    if (role == Role::Input) {
+      machine_.set(cell, io_->read(pin, signal));
+    } else {
+      io_->write(pin, signal, machine_.value(cell));
+    }
   }
 }
 
@@ -159,7 +150,7 @@ void Controller::drive() {
 PinSet Controller::make_safe(const PinSet& except) {
   PinSet left;
   if (state_ == State::Empty) return left;
-  Points point(machine_.program_, machine_.layout_);
+  Points point(machine_.program_);
   while (point.next()) {
     uint8_t pin = kNotWired;
     int16_t rest = 0;

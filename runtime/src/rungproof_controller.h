@@ -96,8 +96,7 @@ class Controller {
  private:
   Refusal check(const Source& program, uint32_t length, PinSet& outputs);
   void start(const Source& program, const PinSet& held);
-  void sample();
-  void drive();
+  void exchange(Role role);
   PinSet make_safe(const PinSet& except);
 
   Machine machine_;

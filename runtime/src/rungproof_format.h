@@ -87,40 +87,35 @@ const uint8_t kCounterSim = 0x4a;
 const uint8_t kRise = 0x50;
 const uint8_t kFall = 0x51;
 
-/// What an element instruction takes and which slots it may work on.
-struct ElementShape {
-  uint8_t kind;      // 0: there is no such instruction
-  uint8_t operands;  // bits it pops; it pushes one
-  bool parameter;    // four bytes follow the slot number
-};
+/// What an instruction takes and leaves, in a byte: the bits that it pops (2
+/// bits), the words (2), whether it pushes a bit, a word; and its operands.
+/// The verifier and the machine go by the same table.
+const uint8_t kShapeBitsIn = 0x03;
+const uint8_t kShapeWordsIn = 0x0c;
+const uint8_t kShapeBitOut = 0x10;
+const uint8_t kShapeWordOut = 0x20;
+const uint8_t kShapeAddress = 0x40;  // an address follows
+const uint8_t kShapePreset = 0x80;   // and behind it a preset
+const uint8_t kNoShape = 0xff;       // there is no such instruction
 
-inline ElementShape element_shape(uint8_t opcode) {
-  switch (opcode) {
-    case kTimerYun:
-    case kTimerSim:
-    case kOffDelaySim:
-    case kCounterYun:
-      return ElementShape{opcode, 1, true};
-    case kCounterSim:
-      return ElementShape{opcode, 3, true};
-    case kTimerYunReset:
-      return ElementShape{kTimerYun, 1, false};
-    case kCounterYunReset:
-      return ElementShape{kCounterYun, 1, false};
-    case kRise:
-    case kFall:
-      return ElementShape{kRise, 1, false};
-    default:
-      return ElementShape{0, 0, false};
-  }
+uint8_t shape_of(uint8_t opcode);
+
+inline bool is_element(uint8_t opcode) { return opcode >= kTimerYun; }
+
+/// The kind of slot that an element instruction works on: the first
+/// instruction of the kind.
+inline uint8_t kind_of(uint8_t opcode) {
+  return opcode == kOffDelaySim ? kOffDelaySim
+                                : static_cast<uint8_t>(opcode & 0xfeU);
 }
 
 inline bool is_element_kind(uint8_t kind) {
-  return kind != 0 && element_shape(kind).kind == kind;
+  return is_element(kind) && shape_of(kind) != kNoShape &&
+         kind_of(kind) == kind;
 }
 
 inline bool is_timer_kind(uint8_t kind) {
-  return kind == kTimerYun || kind == kTimerSim || kind == kOffDelaySim;
+  return kind >= kTimerYun && kind < kCounterYun;
 }
 
 }  // namespace rungproof

@@ -23,23 +23,6 @@
 
 namespace rungproof {
 
-/// Where the parts of a program start, as byte offsets; and its counts.
-struct Layout {
-  Offset attributes;
-  Offset ranges;
-  Offset slots;
-  Offset code;
-  Offset names;
-  Offset notes;
-  Offset end;
-  uint16_t bit_count;
-  uint16_t word_count;
-  uint16_t slot_count;
-  uint16_t bit_stack;
-  uint16_t word_stack;
-  uint16_t branches;
-};
-
 class Machine {
  public:
   Machine();
@@ -73,7 +56,7 @@ class Machine {
   /// safe state.
   bool scan(uint32_t dt_ms);
   Fault fault() const { return fault_; }
-  uint32_t fault_at() const { return pc_; }
+  uint32_t fault_at() const { return fault_at_; }
 
   /// False when some dt was not in the program's scan interval: what was
   /// proved about the program assumes that it always is.
@@ -83,58 +66,51 @@ class Machine {
 
   /// Cells are numbered from 0, the bits first. Numbers past the end: role is
   /// Memory, value 0, and set() does nothing.
-  uint32_t bit_count() const { return layout_.bit_count; }
-  uint32_t cell_count() const {
-    return static_cast<uint32_t>(layout_.bit_count) + layout_.word_count;
-  }
-  Role role(uint32_t cell) const;
-  int32_t value(uint32_t cell) const;
+  uint32_t bit_count() const { return bit_count_; }
+  uint32_t cell_count() const { return cells(); }
+  Role role(Offset cell) const;
+  int32_t value(Offset cell) const;
 
   /// Samples an input. A word outside its declared range is brought to the
   /// nearest end of it, because what was proved assumes the range; the result
   /// is false then, and for a cell that is no input.
-  bool set(uint32_t cell, int32_t value);
+  bool set(Offset cell, int32_t value);
 
   /// The number of the cell `name`; cell_count() when there is none. Linear.
   uint32_t find(const char* name) const;
   /// The length of a cell's name, of which up to `size` bytes are copied to
   /// `buffer` (not terminated). Linear.
-  uint8_t name(uint32_t cell, char* buffer, uint8_t size) const;
+  uint8_t name(Offset cell, char* buffer, uint8_t size) const;
 
  private:
-  bool run();
-  void step_bit(uint8_t opcode, bool wide);
-  bool step_word(uint8_t opcode, bool wide);
-  bool arithmetic(uint8_t opcode);
-  void compare(uint8_t opcode);
-  bool write_word(uint16_t word);
-  bool step_element(uint8_t opcode, bool wide);
-  bool count_sim(uint16_t slot, int32_t preset);
-  uint16_t address(bool wide);
-
   friend class Controller;
   /// Whether the program could run in this machine's memory, from the word
   /// `used_` of which verifying may write.
   Refusal check(const Source& program, uint32_t length);
   void start(const Source& program);
+  /// The timers; the result is where the code is, behind the table of slots.
+  Offset advance(uint32_t dt_ms);
+  Offset cells() const { return Offset{bit_count_} + word_count_; }
+  /// Where the ranges of words are in the program: behind header and
+  /// attributes.
+  Offset ranges() const { return Offset{48} + cells(); }
+  /// Signed words may alias the caller's array.
+  int32_t* words() const { return reinterpret_cast<int32_t*>(memory_); }
 
   Source program_;
-  Layout layout_;
+  // Words, slots and the word stack; then in bytes bits, slots and the bit
+  // stack.
   uint32_t* memory_;
-  uint32_t memory_words_;
-  uint32_t used_;  // words of the memory that are in use
-  int32_t* words_;
-  uint32_t* slot_values_;  // elapsed ms; counter values
-  int32_t* word_stack_;
+  Offset memory_words_;
+  Offset used_;  // words of the memory that are in use
   uint8_t* bits_;
-  uint8_t* slot_flags_;
-  uint8_t* bit_stack_;
-  Offset pc_;
-  int32_t* word_top_;  // one past the top
-  uint8_t* bit_top_;
+  uint16_t bit_count_;
+  uint16_t word_count_;
+  uint16_t slot_count_;
   uint32_t scan_min_;
   uint32_t scan_max_;
   Offset refused_at_;
+  Offset fault_at_;
   Refusal refusal_;
   Fault fault_;
   bool interval_held_;

@@ -5,45 +5,25 @@
 #include "rungproof_format.h"
 
 namespace rungproof {
+namespace {
 
-Layout read_layout(const Source& program) {
-  Layout layout;
-  layout.bit_count = read16(program, kAtBits);
-  layout.word_count = read16(program, kAtWords);
-  layout.slot_count = read16(program, kAtSlots);
-  layout.bit_stack = read16(program, kAtBitStack);
-  layout.word_stack = read16(program, kAtWordStack);
-  layout.branches = read16(program, kAtBranches);
-  layout.attributes = kHeaderBytes;
-  layout.ranges =
-      layout.attributes + Offset{layout.bit_count} + layout.word_count;
-  layout.slots = layout.ranges + Offset{kRangeBytes} * layout.word_count;
-  layout.code = layout.slots + Offset{kSlotBytes} * layout.slot_count;
-  layout.names =
-      layout.code + static_cast<Offset>(read32(program, kAtCodeBytes));
-  layout.notes =
-      layout.names + static_cast<Offset>(read32(program, kAtNameBytes));
-  layout.end =
-      layout.notes + static_cast<Offset>(read32(program, kAtNoteBytes));
-  return layout;
+Refusal recognise(const Source& program, uint32_t length) {
+  if (length < kHeaderBytes) return Refusal::TooShort;
+  if (read16(program, 0) != (kMagic0 | kMagic1 << 8) ||
+      read16(program, 2) != (kMagic2 | kMagic3 << 8)) {
+    return Refusal::BadMagic;
+  }
+  return read16(program, kAtVersion) == kVersion ? Refusal::None
+                                                 : Refusal::BadVersion;
 }
 
-uint32_t words_to_run(const Layout& layout) {
-  const uint32_t wide =
-      uint32_t{layout.word_count} + layout.slot_count + layout.word_stack;
-  const uint32_t narrow =
-      uint32_t{layout.bit_count} + layout.slot_count + layout.bit_stack;
-  return wide + (narrow + 3) / 4;
-}
+/// What neither a name nor a note holds.
+bool is_control(uint8_t byte) { return byte < 0x20 || byte == 0x7f; }
 
-uint32_t words_to_verify(const Layout& layout) {
-  return 2 * uint32_t{layout.branches};
-}
+}  // namespace
 
-uint32_t words_needed(const Layout& layout) {
-  const uint32_t run = words_to_run(layout);
-  const uint32_t verify = words_to_verify(layout);
-  return run > verify ? run : verify;
+bool is_header(const Source& program, uint32_t length) {
+  return recognise(program, length) == Refusal::None;
 }
 
 Verifier::Verifier(const Source& program, uint32_t length,
@@ -61,7 +41,7 @@ Verifier::Verifier(const Source& program, uint32_t length,
       most_bits_(0),
       most_words_(0),
       most_open_(0),
-      constant_(0),
+      divisor_(false),
       ended_(false) {}
 
 Refusal Verifier::verify() {
@@ -86,14 +66,10 @@ uint32_t Verifier::checksum() const {
 }
 
 Refusal Verifier::check_header() {
-  if (length_ < kHeaderBytes) return Refusal::TooShort;
+  const Refusal refusal = recognise(program_, length_);
+  if (refusal == Refusal::BadVersion) at_ = kAtVersion;
+  if (refusal != Refusal::None) return refusal;
   if (length_ > static_cast<Offset>(-1)) return Refusal::NoMemory;
-  if (read8(program_, 0) != kMagic0 || read8(program_, 1) != kMagic1 ||
-      read8(program_, 2) != kMagic2 || read8(program_, 3) != kMagic3) {
-    return Refusal::BadMagic;
-  }
-  at_ = kAtVersion;
-  if (read16(program_, at_) != kVersion) return Refusal::BadVersion;
   at_ = kAtLength;
   if (read32(program_, at_) != length_) return Refusal::BadLength;
   at_ = kAtChecksum;
@@ -134,18 +110,22 @@ Refusal Verifier::check_sections() {
 }
 
 Refusal Verifier::check_cells() {
-  for (at_ = layout_.attributes; at_ != layout_.ranges; ++at_) {
+  Offset bits = layout_.bit_count;
+  for (at_ = kHeaderBytes; at_ != layout_.ranges; ++at_) {
+    // A word's initial value is in its range.
     const uint8_t attribute = read8(program_, at_);
-    const bool word = at_ - layout_.attributes >= layout_.bit_count;
-    if ((attribute & ~kAttributeMask) != 0) return Refusal::BadCell;
+    const uint8_t most =
+        static_cast<uint8_t>(Role::Memory) | (bits != 0 ? kInitialBit : 0);
+    if (bits != 0) --bits;
+    if (attribute > most) return Refusal::BadCell;
     if ((attribute & kRoleMask) == kRoleMask) return Refusal::BadCell;
-    if (word && (attribute & kInitialBit) != 0) return Refusal::BadCell;
   }
   for (; at_ != layout_.slots; at_ += kRangeBytes) {
     const int32_t initial = to_signed(read32(program_, at_));
-    const int32_t low = to_signed(read32(program_, at_ + 4));
-    const int32_t high = to_signed(read32(program_, at_ + 8));
-    if (initial < low || initial > high) return Refusal::BadCell;
+    if (initial < to_signed(read32(program_, at_ + 4)) ||
+        initial > to_signed(read32(program_, at_ + 8))) {
+      return Refusal::BadCell;
+    }
   }
   return Refusal::None;
 }
@@ -153,22 +133,22 @@ Refusal Verifier::check_cells() {
 Refusal Verifier::check_slots() {
   for (at_ = layout_.slots; at_ != layout_.code; at_ += kSlotBytes) {
     if (!is_element_kind(read8(program_, at_))) return Refusal::BadSlot;
-    if (read32(program_, at_ + 1) > 0x7fffffffU) return Refusal::BadSlot;
+    // The index is not negative.
+    if (read8(program_, at_ + 4) > 0x7f) return Refusal::BadSlot;
   }
   return Refusal::None;
 }
 
 Refusal Verifier::check_names() {
   at_ = layout_.names;
-  const Offset cells = layout_.ranges - layout_.attributes;
-  for (Offset cell = 0; cell != cells; ++cell) {
+  for (Offset left = layout_.ranges - kHeaderBytes; left != 0; --left) {
     if (at_ == layout_.notes) return Refusal::BadName;
     const uint8_t size = read8(program_, at_);
     if (size == 0 || layout_.notes - at_ <= size) return Refusal::BadName;
-    for (uint8_t left = size; left != 0; --left) {
+    for (uint8_t rest = size; rest != 0; --rest) {
       const uint8_t byte = read8(program_, ++at_);
       // What a quoted name of the text form cannot hold.
-      if (byte < 0x20 || byte == '"' || byte == 0x7f) return Refusal::BadName;
+      if (is_control(byte) || byte == '"') return Refusal::BadName;
     }
     ++at_;
   }
@@ -186,8 +166,7 @@ Refusal Verifier::check_notes() {
       const uint8_t byte = read8(program_, at_);
       const bool blank = byte == ' ' || byte == '\t';
       const bool edge = left == size || left == 1;
-      if (blank && edge) return Refusal::BadNote;  // notes are trimmed
-      if ((byte < 0x20 && !blank) || byte == 0x7f) return Refusal::BadNote;
+      if (blank ? edge : is_control(byte)) return Refusal::BadNote;  // trimmed
     }
   }
   return Refusal::None;
@@ -217,15 +196,15 @@ Refusal Verifier::close_skips() {
   while (open_ != 0) {
     const uint32_t* skip = pending(open_ - 1);
     if (skip[0] > pc_) break;
-    if (skip[0] != pc_) return Refusal::BadSkip;
-    if (skip[1] != depths()) return Refusal::BadSkip;
+    if (skip[0] != pc_ || skip[1] != depths()) return Refusal::BadSkip;
     --open_;
   }
   return Refusal::None;
 }
 
-Refusal Verifier::effect(uint8_t bits_in, uint8_t words_in, uint8_t bits_out,
-                         uint8_t words_out) {
+Refusal Verifier::effect(uint8_t shape) {
+  const uint8_t bits_in = shape & kShapeBitsIn;
+  const uint8_t words_in = (shape & kShapeWordsIn) >> 2;
   // What a skip jumps over leaves alone what lies below.
   Depth bit_floor = 0;
   Depth word_floor = 0;
@@ -237,8 +216,10 @@ Refusal Verifier::effect(uint8_t bits_in, uint8_t words_in, uint8_t bits_out,
   if (bits_ - bit_floor < bits_in || words_ - word_floor < words_in) {
     return Refusal::StackUnderflow;
   }
-  bits_ = bits_ - bits_in + bits_out;
-  words_ = words_ - words_in + words_out;
+  bits_ -= bits_in;
+  words_ -= words_in;
+  if ((shape & kShapeBitOut) != 0) ++bits_;
+  if ((shape & kShapeWordOut) != 0) ++words_;
   if (bits_ > layout_.bit_stack || words_ > layout_.word_stack) {
     return Refusal::WrongDepth;
   }
@@ -247,163 +228,116 @@ Refusal Verifier::effect(uint8_t bits_in, uint8_t words_in, uint8_t bits_out,
   return Refusal::None;
 }
 
+uint8_t Verifier::next() { return read8(program_, pc_++); }
+
 Refusal Verifier::instruction() {
+  const bool divisor = divisor_;
+  divisor_ = false;
   if (!has(1)) return Refusal::BadEnd;
-  uint8_t opcode = read8(program_, pc_++);
+  uint8_t opcode = next();
   const bool wide = opcode == kWide;
   if (wide) {
     if (!has(1)) return Refusal::BadEnd;
-    opcode = read8(program_, pc_++);
+    opcode = next();
   }
-  const bool element_opcode = element_shape(opcode).kind != 0;
-  const bool addressed = element_opcode || opcode == kReadBit ||
-                         opcode == kWriteBit || opcode == kReadWord ||
-                         opcode == kWriteWord;
-  if (addressed) {
-    if (!has(wide ? 2 : 1)) return Refusal::BadEnd;
-    const uint16_t address =
-        wide ? read16(program_, pc_) : read8(program_, pc_);
-    pc_ += wide ? 2 : 1;
-    constant_ = 0;
-    if (wide && address < 0x100) return Refusal::NotShortest;
-    return element_opcode ? element(opcode, address)
-                          : address_instruction(opcode, address);
-  }
+  const uint8_t shape = shape_of(opcode);
+  if (shape == kNoShape) return Refusal::BadOpcode;
+  if ((shape & kShapeAddress) != 0) return addressed(opcode, shape, wide);
   if (wide) return Refusal::BadOpcode;
-  if (opcode == kEnd) return end();
-  return opcode < kWide ? bit_instruction(opcode) : word_instruction(opcode);
+  switch (opcode) {
+    case kEnd:
+      ended_ = true;
+      if (open_ != 0) return Refusal::BadSkip;
+      if (bits_ != 0 || words_ != 0) return Refusal::StackNotEmpty;
+      return pc_ == layout_.names ? Refusal::None : Refusal::BadEnd;
+    case kSkipFalse:
+    case kSkipTrue:
+      return skip(shape);
+    case kPush8:
+    case kPush16:
+    case kPush32:
+      return push(opcode, shape);
+    case kDivide:
+      if (!divisor) return Refusal::BadDivisor;
+      break;
+    default:
+      break;
+  }
+  return effect(shape);
 }
 
-Refusal Verifier::address_instruction(uint8_t opcode, uint16_t address) {
-  const bool word = opcode == kReadWord || opcode == kWriteWord;
+Refusal Verifier::addressed(uint8_t opcode, uint8_t shape, bool wide) {
+  if (!has(wide ? 2 : 1)) return Refusal::BadEnd;
+  uint16_t address = next();
+  if (wide) {
+    address = static_cast<uint16_t>(address | (next() << 8));
+    if (address < 0x100) return Refusal::NotShortest;
+  }
+  if (is_element(opcode)) {
+    if ((shape & kShapePreset) != 0) {
+      if (!has(4)) return Refusal::BadEnd;
+      pc_ += 4;
+    }
+    const Offset slot = layout_.slots + Offset{kSlotBytes} * address;
+    return address >= layout_.slot_count ||
+                   read8(program_, slot) != kind_of(opcode)
+               ? Refusal::BadElement
+               : effect(shape);
+  }
+  const bool word = opcode >= kReadWord;
   if (address >= (word ? layout_.word_count : layout_.bit_count)) {
     return Refusal::BadAddress;
   }
-  if (opcode == kReadBit) return effect(0, 0, 1, 0);
-  if (opcode == kReadWord) return effect(0, 0, 0, 1);
-  return write(word ? Offset{layout_.bit_count} + address : address, word);
+  if (opcode == kReadBit || opcode == kReadWord) return effect(shape);
+  return write(shape, word ? Offset{layout_.bit_count} + address : address);
 }
 
-Refusal Verifier::write(Offset cell, bool word) {
+Refusal Verifier::write(uint8_t shape, Offset cell) {
   if (open_ != 0) return Refusal::BadSkip;
-  const Refusal refusal = word ? effect(0, 1, 0, 0) : effect(1, 0, 0, 0);
+  const Refusal refusal = effect(shape);
   if (refusal != Refusal::None) return refusal;
   if (bits_ != 0 || words_ != 0) return Refusal::StackNotEmpty;
-  const uint8_t attribute = read8(program_, layout_.attributes + cell);
+  const uint8_t attribute = read8(program_, kHeaderBytes + cell);
   return (attribute & kRoleMask) == static_cast<uint8_t>(Role::Input)
              ? Refusal::WritesInput
              : Refusal::None;
 }
 
-Refusal Verifier::element(uint8_t opcode, uint16_t slot) {
-  const ElementShape shape = element_shape(opcode);
-  if (shape.parameter) {
-    if (!has(4)) return Refusal::BadEnd;
-    pc_ += 4;
-  }
-  if (slot >= layout_.slot_count) return Refusal::BadElement;
-  if (read8(program_, layout_.slots + Offset{kSlotBytes} * slot) !=
-      shape.kind) {
-    return Refusal::BadElement;
-  }
-  return effect(shape.operands, 0, 1, 0);
-}
-
-Refusal Verifier::bit_instruction(uint8_t opcode) {
-  constant_ = 0;
-  switch (opcode) {
-    case kFalse:
-    case kTrue:
-      return effect(0, 0, 1, 0);
-    case kNot:
-      return effect(1, 0, 1, 0);
-    case kAnd:
-    case kOr:
-    case kXor:
-      return effect(2, 0, 1, 0);
-    case kSkipFalse:
-    case kSkipTrue:
-      return skip();
-    default:
-      return Refusal::BadOpcode;
-  }
-}
-
-Refusal Verifier::skip() {
+Refusal Verifier::skip(uint8_t shape) {
   if ((read8(program_, kAtFlags) & kFlagShortCircuit) == 0) {
     return Refusal::StrictSkip;
   }
   if (!has(2)) return Refusal::BadEnd;
-  const uint16_t offset = read16(program_, pc_);
+  const uint16_t distance = read16(program_, pc_);
   pc_ += 2;
-  if (offset >= layout_.names - pc_) return Refusal::BadSkip;
-  const Offset target = pc_ + offset;
+  if (distance >= layout_.names - pc_) return Refusal::BadSkip;
   const uint32_t below = depths();
-  const Refusal refusal = effect(1, 0, 0, 0);
+  const Refusal refusal = effect(shape);
   if (refusal != Refusal::None) return refusal;
   if (open_ == layout_.branches) return Refusal::WrongDepth;
-  pending(open_)[0] = target;
+  pending(open_)[0] = uint32_t{pc_} + distance;
   pending(open_)[1] = below;
   ++open_;
   if (open_ > most_open_) most_open_ = open_;
   return Refusal::None;
 }
 
-Refusal Verifier::word_instruction(uint8_t opcode) {
-  if (opcode == kPush8 || opcode == kPush16 || opcode == kPush32) {
-    return push(opcode);
-  }
-  if (opcode == kDivide && constant_ == 0) return Refusal::BadDivisor;
-  constant_ = 0;
-  switch (opcode) {
-    case kAdd:
-    case kSubtract:
-    case kMultiply:
-    case kDivide:
-      return effect(0, 2, 0, 1);
-    case kNegate:
-    case kWrap16:
-      return effect(0, 1, 0, 1);
-    case kToWord:
-      return effect(1, 0, 0, 1);
-    case kToBit:
-      return effect(0, 1, 1, 0);
-    case kEqual:
-    case kNotEqual:
-    case kLess:
-    case kLessEqual:
-    case kGreater:
-    case kGreaterEqual:
-      return effect(0, 2, 1, 0);
-    default:
-      return Refusal::BadOpcode;
-  }
-}
-
-Refusal Verifier::push(uint8_t opcode) {
+Refusal Verifier::push(uint8_t opcode, uint8_t shape) {
   const uint8_t bytes = opcode == kPush8 ? 1 : opcode == kPush16 ? 2 : 4;
   if (!has(bytes)) return Refusal::BadEnd;
-  if (bytes == 1) {
-    const int32_t byte = read8(program_, pc_);
-    constant_ = byte < 0x80 ? byte : byte - 0x100;
-  } else if (bytes == 2) {
-    constant_ = to_signed16(read16(program_, pc_));
-    if (constant_ >= -0x80 && constant_ < 0x80) return Refusal::NotShortest;
-  } else {
-    constant_ = to_signed(read32(program_, pc_));
-    if (constant_ >= -0x8000L && constant_ < 0x8000L) {
-      return Refusal::NotShortest;
-    }
+  int32_t value = read8(program_, pc_);
+  bool shortest = true;
+  if (bytes == 2) {
+    value = to_signed16(read16(program_, pc_));
+    shortest = value != static_cast<int8_t>(value);
+  } else if (bytes == 4) {
+    value = to_signed(read32(program_, pc_));
+    shortest = value != static_cast<int16_t>(value);
   }
+  if (!shortest) return Refusal::NotShortest;
+  divisor_ = value != 0;
   pc_ += bytes;
-  return effect(0, 0, 0, 1);
-}
-
-Refusal Verifier::end() {
-  if (open_ != 0) return Refusal::BadSkip;
-  if (bits_ != 0 || words_ != 0) return Refusal::StackNotEmpty;
-  ended_ = true;
-  return pc_ == layout_.names ? Refusal::None : Refusal::BadEnd;
+  return effect(shape);
 }
 
 }  // namespace rungproof

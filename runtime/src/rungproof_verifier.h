@@ -4,7 +4,7 @@
 
 #include <stddef.h>
 
-#include "rungproof_machine.h"
+#include "rungproof_layout.h"
 
 namespace rungproof {
 
@@ -12,15 +12,8 @@ namespace rungproof {
 /// memory for that many exists.
 typedef Offset Depth;
 
-/// The header's counts and section starts, without any check.
-Layout read_layout(const Source& program);
-
-/// How much memory running takes, and verifying.
-uint32_t words_to_run(const Layout& layout);
-uint32_t words_to_verify(const Layout& layout);
-
-/// The larger of the two: they take turns with the memory.
-uint32_t words_needed(const Layout& layout);
+/// Whether the first bytes are a header of this format and version.
+bool is_header(const Source& program, uint32_t length);
 
 /// Memory that verifying may write.
 struct Scratch {
@@ -35,10 +28,10 @@ class Verifier {
   Verifier(const Source& program, uint32_t length, uint32_t memory_words,
            const Scratch& scratch);
   Refusal verify();
-  uint32_t at() const { return at_; }
+  Offset at() const { return at_; }
 
  private:
-  // All give kNone where nothing is wrong.
+  // All give None where nothing is wrong.
   Refusal check_header();
   Refusal check_sections();
   Refusal check_cells();
@@ -49,16 +42,11 @@ class Verifier {
 
   Refusal close_skips();
   Refusal instruction();
-  Refusal address_instruction(uint8_t opcode, uint16_t address);
-  Refusal element(uint8_t opcode, uint16_t slot);
-  Refusal bit_instruction(uint8_t opcode);
-  Refusal word_instruction(uint8_t opcode);
-  Refusal push(uint8_t opcode);
-  Refusal skip();
-  Refusal write(Offset cell, bool word);
-  Refusal end();
-  Refusal effect(uint8_t bits_in, uint8_t words_in, uint8_t bits_out,
-                 uint8_t words_out);
+  Refusal addressed(uint8_t opcode, uint8_t shape, bool wide);
+  Refusal push(uint8_t opcode, uint8_t shape);
+  Refusal skip(uint8_t shape);
+  Refusal write(uint8_t shape, Offset cell);
+  Refusal effect(uint8_t shape);
   uint32_t checksum() const;
   uint32_t depths() const {
     return (static_cast<uint32_t>(bits_) << 16) | words_;
@@ -68,6 +56,7 @@ class Verifier {
     return scratch_.words + size_t{2} * skip;
   }
   bool has(uint8_t bytes) const { return layout_.names - pc_ >= bytes; }
+  uint8_t next();
 
   Source program_;
   uint32_t length_;
@@ -83,7 +72,7 @@ class Verifier {
   Depth most_bits_;
   Depth most_words_;
   Depth most_open_;
-  int32_t constant_;  // the word that the instruction before pushed, or 0
+  bool divisor_;  // the instruction before pushed a word other than 0
   bool ended_;
 };
 

@@ -4,6 +4,7 @@
 
 #include "rungproof_bytes.h"
 #include "rungproof_format.h"
+#include "rungproof_layout.h"
 
 namespace rungproof {
 namespace {
@@ -54,13 +55,20 @@ bool own_name(const Source& program, Offset name, uint8_t& pin) {
 
 }  // namespace
 
+Points::Points(const Source& program)
+    : program_(program),
+      bit_count_(read16(program, kAtBits)),
+      cell_count_(bit_count_ + read16(program, kAtWords)),
+      next_(0),
+      next_name_(read_layout(program).names),
+      name_(0),
+      role_(Role::Memory) {}
+
 bool Points::next() {
-  const Offset cells =
-      static_cast<Offset>(Offset{layout_.bit_count} + layout_.word_count);
-  while (next_ != cells) {
+  while (next_ != cell_count_) {
     name_ = next_name_;
-    role_ = static_cast<Role>(read8(program_, layout_.attributes + next_) &
-                              kRoleMask);
+    role_ =
+        static_cast<Role>(read8(program_, kHeaderBytes + next_) & kRoleMask);
     next_name_ =
         static_cast<Offset>(next_name_ + 1U + read8(program_, next_name_));
     ++next_;
@@ -83,12 +91,12 @@ bool Wiring::find(const Source& program, Offset name, uint8_t& pin,
   return own_name(program, name, pin);
 }
 
-Refusal Wiring::check(const Source& program, const Layout& layout,
-                      PinSet& outputs, Offset& at) const {
+Refusal Wiring::check(const Source& program, PinSet& outputs,
+                      Offset& at) const {
   // Outputs first: what inputs are compared with.
   for (uint8_t pass = 0; pass != 2; ++pass) {
     const Role role = pass == 0 ? Role::Output : Role::Input;
-    Points point(program, layout);
+    Points point(program);
     while (point.next()) {
       if (point.role() != role) continue;
       uint8_t pin = 0;

@@ -10,26 +10,21 @@ namespace rungproof {
 /// The inputs and outputs of a verified program, in the order of its cells.
 class Points {
  public:
-  Points(const Source& program, const Layout& layout)
-      : program_(program),
-        layout_(layout),
-        next_(0),
-        next_name_(layout.names),
-        name_(0),
-        role_(Role::Memory) {}
+  explicit Points(const Source& program);
 
   /// Goes to the next one; false where there is none.
   bool next();
   Role role() const { return role_; }
   Signal signal() const {
-    return next_ <= layout_.bit_count ? Signal::Bit : Signal::Word;
+    return next_ <= bit_count_ ? Signal::Bit : Signal::Word;
   }
   /// Where the name is in the program: its length, its bytes.
   Offset name() const { return name_; }
 
  private:
   Source program_;
-  const Layout& layout_;
+  Offset bit_count_;
+  Offset cell_count_;
   Offset next_;  // cell
   Offset next_name_;
   Offset name_;
@@ -64,8 +59,7 @@ class Wiring {
 
   /// Whether every point has a pin, and every output its own. `at` is the
   /// name of the point that has not; `outputs` the pins of all outputs.
-  Refusal check(const Source& program, const Layout& layout, PinSet& outputs,
-                Offset& at) const;
+  Refusal check(const Source& program, PinSet& outputs, Offset& at) const;
 
  private:
   const Pin* map_;

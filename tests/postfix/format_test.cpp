@@ -46,19 +46,38 @@ TEST(PostfixFormat, ElementsAreThoseOfTheDefinitions) {
 TEST(PostfixFormat, ElementsAreThoseOfTheMachine) {
   for (unsigned opcode = 0; opcode < 256; ++opcode) {
     const auto byte = static_cast<std::uint8_t>(opcode);
-    const rungproof::ElementShape shape = rungproof::element_shape(byte);
+    const std::uint8_t shape = rungproof::shape_of(byte);
+    const bool element =
+        rungproof::is_element(byte) && shape != rungproof::kNoShape;
     const auto* code = postfix::find_element(byte);
-    ASSERT_EQ(code != nullptr, shape.kind != 0) << opcode;
+    ASSERT_EQ(code != nullptr, element) << opcode;
     EXPECT_EQ(postfix::find_kind(byte) != nullptr,
               rungproof::is_element_kind(byte));
     if (code == nullptr) continue;
-    EXPECT_EQ(code->kind, shape.kind) << opcode;
-    EXPECT_EQ(code->bits_in, shape.operands) << opcode;
+    EXPECT_EQ(code->kind, rungproof::kind_of(byte)) << opcode;
+    EXPECT_EQ(code->bits_in, shape & rungproof::kShapeBitsIn) << opcode;
     EXPECT_EQ(code->preset != postfix::ElementCode::Preset::None,
-              shape.parameter)
+              (shape & rungproof::kShapePreset) != 0)
         << opcode;
-    EXPECT_EQ(code->preset == postfix::ElementCode::Preset::Milliseconds,
-              rungproof::is_timer_kind(byte))
+    EXPECT_EQ(
+        code->preset == postfix::ElementCode::Preset::Milliseconds,
+        rungproof::is_element_kind(byte) && rungproof::is_timer_kind(byte))
+        << opcode;
+  }
+}
+
+TEST(PostfixFormat, OperatorsAreThoseOfTheMachine) {
+  for (unsigned opcode = 0; opcode < rungproof::kTimerYun; ++opcode) {
+    const auto byte = static_cast<std::uint8_t>(opcode);
+    const auto* entry = postfix::find_operator(byte);
+    if (entry == nullptr) continue;
+    const unsigned shape = rungproof::shape_of(byte);
+    EXPECT_EQ(entry->bits_in, shape & rungproof::kShapeBitsIn) << opcode;
+    EXPECT_EQ(entry->words_in, (shape & rungproof::kShapeWordsIn) >> 2)
+        << opcode;
+    EXPECT_EQ(
+        entry->word_out ? rungproof::kShapeWordOut : rungproof::kShapeBitOut,
+        shape & ~(rungproof::kShapeBitsIn | rungproof::kShapeWordsIn))
         << opcode;
   }
 }
