@@ -13,5 +13,7 @@ int run_export(const Options& options);
 int run_simulation(const Options& options);
 int run_render(const Options& options);
 int run_rule(const Options& options);
+int run_upload(const Options& options);
+int run_monitor(const Options& options);
 
 }  // namespace rung

@@ -235,6 +235,30 @@ void add_equiv(CLI::App& app, Options& options) {
                     "REV: compare the file as it is in that commit with it");
 }
 
+constexpr double kLongestWait = 3600;
+
+void add_link(CLI::App* command, Options& options) {
+  command->add_option("--port", options.port, "a serial port");
+  command->add_option("--tcp", options.tcp, "HOST:PORT instead");
+  command->add_option("--baud", options.baud, "speed of the port (115200)");
+  command->add_option("--wait", options.wait, "seconds for an answer (5)")
+      ->check(CLI::Range(0.01, kLongestWait));
+}
+
+/// The commands that speak with a controller.
+void add_links(CLI::App& app, RawOptions& raw, Options& options) {
+  CLI::App* upload =
+      add_command(app, "upload", "replace the program of a running controller");
+  add_files(upload, options, 1, 1);
+  add_link(upload, options);
+  upload->add_flag("--clear-outputs", options.clear_outputs,
+                   "safe values until the new program's first scan");
+  CLI::App* monitor =
+      add_command(app, "monitor", "the values in a running controller");
+  add_link(monitor, options);
+  monitor->add_option("--scans", raw.scans, "how many scans; else until ^C");
+}
+
 void add_commands(CLI::App& app, RawOptions& raw, Options& options) {
   add_files(add_command(app, "check", "findings and proofs, one report"),
             options, 1, kMany);
@@ -277,13 +301,14 @@ void add_commands(CLI::App& app, RawOptions& raw, Options& options) {
   CLI::App* render = add_command(app, "render", "draw the ladder");
   add_files(render, options, 1, 1);
   render->add_flag("--ascii", options.ascii, "no box-drawing characters");
+  add_links(app, raw, options);
   CLI::App* rule = add_command(app, "rule", "what a lint rule finds, and why");
   rule->add_option("CODE", options.rule, "a code or a name; else a list");
 }
 
 constexpr std::string_view kCommandNames[] = {
-    "check", "lint", "prove",  "equiv",  "bound",
-    "lower", "run",  "export", "render", "rule"};
+    "check", "lint",   "prove",  "equiv", "bound",  "lower",
+    "run",   "export", "render", "rule",  "upload", "monitor"};
 
 /// CLI11 would say that a command is missing, and not which ones there are.
 std::optional<std::string> unknown_command(int argc, char** argv) {

@@ -65,6 +65,12 @@ struct Options {
   std::optional<std::uint64_t> scans;
   std::optional<std::int64_t> dt_ms;
   bool ascii = false;
+  // upload, monitor
+  std::string port;
+  std::string tcp;
+  unsigned baud = 115200;
+  double wait = 5;  // seconds for an answer
+  bool clear_outputs = false;
   std::string rule;
 };
 

@@ -3,7 +3,7 @@
 
 _rungproof() {
   local current=${COMP_WORDS[COMP_CWORD]} previous=${COMP_WORDS[COMP_CWORD-1]}
-  local commands="check lint prove equiv bound lower export run render rule"
+  local commands="check lint prove equiv bound lower export run render rule upload monitor"
   local common="--help --version --format --scan --semantics --stable-inputs --pou --dialect
     --language --props --timeout --engine --jobs --fail-on --color --quiet
     --verbose --property --self-check --recheck --certificates --map
@@ -37,7 +37,10 @@ _rungproof() {
       [[ $command == export ]] && targets="aiger btor2 chc"
       COMPREPLY=($(compgen -W "$targets" -- "$current")) ;;
     --certificates) COMPREPLY=($(compgen -d -- "$current")) ;;
-    --scan|--timeout|--jobs|--property|--map|--scans|--dt|--rung|--delay|--git) ;;
+    --scan|--timeout|--jobs|--property|--map|--scans|--dt|--rung|--delay|--git|--tcp|--wait) ;;
+    --baud)
+      local speeds="9600 19200 38400 57600 115200 230400 500000 1000000"
+      COMPREPLY=($(compgen -W "$speeds" -- "$current")) ;;
     *)
       if [[ $previous != --props && $current == -* ]]; then
         case $command in
@@ -47,6 +50,8 @@ _rungproof() {
           export) common+=" --to --output" ;;
           run) common+=" --stimulus --scans --dt --out" ;;
           render) common+=" --ascii" ;;
+          upload) common+=" --port --tcp --baud --wait --clear-outputs" ;;
+          monitor) common+=" --port --tcp --baud --wait --scans" ;;
         esac
         COMPREPLY=($(compgen -W "$common" -- "$current"))
       elif [[ -z $command && $previous != --props ]]; then

@@ -1,7 +1,7 @@
 # fish completion of rungproof; tests/app/manual_test.cpp compares it with the
 # options that the program has.
 
-set -l commands check lint prove equiv bound lower export run render rule
+set -l commands check lint prove equiv bound lower export run render rule upload monitor
 complete -c rungproof -f -n "not __fish_seen_subcommand_from $commands" -a check -d 'findings and proofs, one report'
 complete -c rungproof -f -n "not __fish_seen_subcommand_from $commands" -a lint -d 'findings only'
 complete -c rungproof -f -n "not __fish_seen_subcommand_from $commands" -a prove -d 'properties only'
@@ -11,6 +11,8 @@ complete -c rungproof -f -n "not __fish_seen_subcommand_from $commands" -a lower
 complete -c rungproof -f -n "not __fish_seen_subcommand_from $commands" -a export -d 'what is to be proved, for other model checkers'
 complete -c rungproof -f -n "not __fish_seen_subcommand_from $commands" -a run -d 'simulate'
 complete -c rungproof -f -n "not __fish_seen_subcommand_from $commands" -a render -d 'draw the ladder'
+complete -c rungproof -f -n "not __fish_seen_subcommand_from $commands" -a upload -d 'replace the program of a running controller'
+complete -c rungproof -f -n "not __fish_seen_subcommand_from $commands" -a monitor -d 'the values in a running controller'
 complete -c rungproof -f -n "not __fish_seen_subcommand_from $commands" -a rule -d 'what a lint rule finds, and why'
 complete -c rungproof -s h -l help -d 'print help'
 complete -c rungproof -l version -d 'print versions'
@@ -51,3 +53,9 @@ complete -c rungproof -n '__fish_seen_subcommand_from run' -l scans -x -d 'how m
 complete -c rungproof -n '__fish_seen_subcommand_from run' -l dt -x -d 'ms that a scan takes'
 complete -c rungproof -n '__fish_seen_subcommand_from run' -l out -r -F -d 'a VCD file for wave viewers'
 complete -c rungproof -n '__fish_seen_subcommand_from render' -l ascii -d 'no box-drawing characters'
+complete -c rungproof -n '__fish_seen_subcommand_from upload monitor' -l port -r -F -d 'a serial port'
+complete -c rungproof -n '__fish_seen_subcommand_from upload monitor' -l tcp -x -d 'HOST:PORT instead'
+complete -c rungproof -n '__fish_seen_subcommand_from upload monitor' -l baud -x -a '9600 19200 38400 57600 115200 230400 500000 1000000' -d 'speed of the port'
+complete -c rungproof -n '__fish_seen_subcommand_from upload monitor' -l wait -x -d 'seconds for an answer'
+complete -c rungproof -n '__fish_seen_subcommand_from upload' -l clear-outputs -d 'safe values until the first scan'
+complete -c rungproof -n '__fish_seen_subcommand_from monitor' -l scans -x -d 'how many scans'

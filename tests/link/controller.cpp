@@ -53,8 +53,7 @@ rungproof::Refusal EmulatedController::run(const std::uint8_t* program,
 void EmulatedController::turn(std::uint32_t dt) {
   now_ += dt;
   link_.poll(now_);
-  machine_.scan(dt);
-  link_.scanned(dt);
+  if (machine_.scan(dt)) link_.scanned(dt);
 }
 
 std::string EmulatedController::exchange(std::string_view bytes) {
