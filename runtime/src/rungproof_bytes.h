@@ -11,6 +11,15 @@ uint8_t read8(const Source& program, Offset at);
 uint16_t read16(const Source& program, Offset at);
 uint32_t read32(const Source& program, Offset at);
 
+/// A byte of a table in flash.
+inline uint8_t flash_byte(const uint8_t* at) {
+#ifdef __AVR__
+  return pgm_read_byte(at);
+#else
+  return *at;
+#endif
+}
+
 /// `value`, or the end of a word cell's range that is nearest to it. `ranges`
 /// is where the program has the ranges of its words.
 int32_t in_range(const Source& program, Offset ranges, Offset word,

@@ -87,8 +87,7 @@ uint8_t shape_of(uint8_t opcode) {
     if (opcode < kTimerYun) return kNoShape;
     opcode = static_cast<uint8_t>(opcode - kGap);
   }
-  return opcode <= kLast ? read8(Source(kShapes, Space::Flash), opcode)
-                         : kNoShape;
+  return opcode <= kLast ? flash_byte(kShapes + opcode) : kNoShape;
 }
 
 }  // namespace rungproof

@@ -24,12 +24,14 @@ struct Run {
 };
 
 /// To the end of the program, or to a fault.
-Fault run_rungs(Run& run);
+RUNGPROOF_APART Fault run_rungs(Run& run);
 
 // The parts of it: one instruction that is not among the frequent ones. Its
-// address is read already, if it has one.
-Fault step_word(Run& run, uint8_t opcode, uint16_t address);
-Fault step_element(Run& run, uint8_t opcode, uint16_t slot);
+// shape is looked up and its address is read already.
+RUNGPROOF_APART void push_word(Run& run, uint8_t opcode, uint16_t address);
+RUNGPROOF_APART Fault write_word(Run& run, uint16_t address);
+RUNGPROOF_APART Fault step_word(Run& run, uint8_t opcode, uint8_t shape);
+RUNGPROOF_APART Fault step_element(Run& run, uint8_t opcode, uint16_t slot);
 
 /// Operands.
 uint8_t next8(Run& run);
@@ -38,9 +40,6 @@ int32_t next32(Run& run);
 
 void push_bit(Run& run, uint8_t bit);
 uint8_t pop_bit(Run& run);
-
-/// `sum` += `a`; false: it leaves 32 bits.
-bool add(int32_t& sum, int32_t a);
 
 }  // namespace rungproof
 

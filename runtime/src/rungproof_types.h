@@ -12,6 +12,10 @@
 #define RUNGPROOF_FLASH
 #endif
 
+/// Of what runs in a scan: cycles are the same in every sketch, and registers
+/// are saved where they are used.
+#define RUNGPROOF_APART __attribute__((noinline))
+
 namespace rungproof {
 
 /// Why a program is refused. The numbers are part of the format.

@@ -8,39 +8,18 @@ namespace {
 
 uint32_t magnitude(int32_t value) {
   const uint32_t bits = static_cast<uint32_t>(value);
-  return value < 0 ? ~bits + 1U : bits;
-}
-
-bool subtract(int32_t& left, int32_t right) {
-  const uint32_t a = static_cast<uint32_t>(left);
-  const uint32_t b = static_cast<uint32_t>(right);
-  left = to_signed(a - b);
-  return to_signed((a ^ b) & (a ^ (a - b))) >= 0;
+  return value < 0 ? 0U - bits : bits;
 }
 
 // By magnitudes: a 64-bit product is dear on an 8-bit controller.
-bool multiply(int32_t& left, int32_t right) {
-  const uint32_t a = magnitude(left);
+RUNGPROOF_APART bool product_fits(int32_t left, int32_t right) {
+  const uint32_t limit = 0x7fffffffU + ((left ^ right) < 0 ? 1U : 0U);
   const uint32_t b = magnitude(right);
-  const uint32_t negative = (left < 0) != (right < 0) ? 1 : 0;
-  if (b != 0 && a > (0x7fffffffU + negative) / b) return false;
-  left = to_signed((a * b ^ (0U - negative)) + negative);
-  return true;
-}
-
-// The divisor is a constant other than 0.
-bool divide(int32_t& left, int32_t right) {
-  if (right != -1) {
-    left /= right;
-    return true;
-  }
-  const int32_t value = left;
-  left = 0;
-  return subtract(left, value);
+  return b == 0 || magnitude(left) <= limit / b;
 }
 
 // == != < <= > >=, in the order of their opcodes.
-uint8_t compare(uint8_t opcode, int32_t left, int32_t right) {
+RUNGPROOF_APART uint8_t compare(uint8_t opcode, int32_t left, int32_t right) {
   const bool equal = left == right;
   bool result = opcode < kLess ? equal : left < right;
   if (opcode == kLessEqual || opcode == kGreater) result = result || equal;
@@ -48,77 +27,80 @@ uint8_t compare(uint8_t opcode, int32_t left, int32_t right) {
   return result ? 1 : 0;
 }
 
+// `bits` is the right operand and becomes the result.
+RUNGPROOF_APART Fault arithmetic(uint8_t opcode, int32_t left, uint32_t& bits) {
+  const int32_t right = to_signed(bits);
+  uint32_t result = static_cast<uint32_t>(left);
+  int32_t lost = 0;  // negative: the result left 32 bits
+  if (opcode == kAdd) {
+    result += bits;
+    lost = (to_signed(result) ^ left) & (to_signed(result) ^ right);
+  } else if (opcode == kMultiply) {
+    result *= bits;
+    if (!product_fits(left, right)) lost = -1;
+  } else if (opcode == kDivide && right != -1) {
+    result = static_cast<uint32_t>(left / right);
+  } else if (opcode == kDivide) {
+    result = 0U - result;
+    lost = left & to_signed(result);
+  } else {  // kSubtract; kNegate, with nothing on the left
+    result -= bits;
+    lost = (left ^ right) & (left ^ to_signed(result));
+  }
+  bits = result;
+  return lost < 0 ? Fault::Overflow : Fault::None;
+}
+
 }  // namespace
 
-bool add(int32_t& sum, int32_t more) {
-  const uint32_t a = static_cast<uint32_t>(sum);
-  const uint32_t b = static_cast<uint32_t>(more);
-  sum = to_signed(a + b);
-  return to_signed((a ^ (a + b)) & (b ^ (a + b))) >= 0;
+void push_word(Run& run, uint8_t opcode, uint16_t address) {
+  int32_t value = 0;
+  if (opcode == kPush8) {
+    value = (next8(run) ^ 0x80) - 0x80;
+  } else if (opcode == kPush16) {
+    value = to_signed16(next16(run));
+  } else if (opcode == kPush32) {
+    value = next32(run);
+  } else {
+    value = run.words[address];
+  }
+  *run.word_top++ = value;
+}
+
+Fault write_word(Run& run, uint16_t address) {
+  const int32_t value = *--run.word_top;
+  if (in_range(run.program, run.ranges, address, value) != value) {
+    return Fault::Range;
+  }
+  run.words[address] = value;
+  return Fault::None;
 }
 
 // All instructions take their operands and leave their results here, which is
 // shorter than each of them doing it.
-Fault step_word(Run& run, uint8_t opcode, uint16_t address) {
-  const uint8_t shape = shape_of(opcode);
-  int32_t left = 0;
+Fault step_word(Run& run, uint8_t opcode, uint8_t shape) {
+  int32_t* top = run.word_top;
+  const uint8_t count = shape & kShapeWordsIn;
   int32_t right = 0;
-  if ((shape & kShapeWordsIn) != 0) left = *--run.word_top;
-  if ((shape & kShapeWordsIn) > (1 << 2)) {
-    right = left;
-    left = *--run.word_top;
+  int32_t left = 0;
+  if (count != 0) right = *--top;
+  if (count > (1 << 2)) left = *--top;
+  uint32_t bits = static_cast<uint32_t>(right);
+  Fault fault = Fault::None;
+  if (opcode == kWrap16) {
+    bits = static_cast<uint32_t>(to_signed16(bits));
+  } else if (opcode == kToWord) {
+    bits = pop_bit(run);
+  } else if (opcode == kToBit) {
+    push_bit(run, right != 0 ? 1 : 0);
+  } else if (opcode >= kEqual) {
+    push_bit(run, compare(opcode, left, right));
+  } else {
+    fault = arithmetic(opcode, left, bits);
   }
-  bool exact = true;
-  switch (opcode) {
-    case kPush8:
-      left = (next8(run) ^ 0x80) - 0x80;
-      break;
-    case kPush16:
-      left = to_signed16(next16(run));
-      break;
-    case kPush32:
-      left = next32(run);
-      break;
-    case kReadWord:
-      left = run.words[address];
-      break;
-    case kWriteWord:
-      if (in_range(run.program, run.ranges, address, left) != left) {
-        return Fault::Range;
-      }
-      run.words[address] = left;
-      break;
-    case kAdd:
-      exact = add(left, right);
-      break;
-    case kNegate:
-      right = left;
-      left = 0;
-      exact = subtract(left, right);
-      break;
-    case kSubtract:
-      exact = subtract(left, right);
-      break;
-    case kMultiply:
-      exact = multiply(left, right);
-      break;
-    case kDivide:
-      exact = divide(left, right);
-      break;
-    case kWrap16:
-      left = to_signed16(static_cast<uint32_t>(left));
-      break;
-    case kToWord:
-      left = pop_bit(run);
-      break;
-    case kToBit:
-      push_bit(run, left != 0 ? 1 : 0);
-      break;
-    default:
-      push_bit(run, compare(opcode, left, right));
-  }
-  if ((shape & kShapeWordOut) != 0) *run.word_top++ = left;
-  return exact ? Fault::None : Fault::Overflow;
+  if ((shape & kShapeWordOut) != 0) *top++ = to_signed(bits);
+  run.word_top = top;
+  return fault;
 }
 
 }  // namespace rungproof
