@@ -4,6 +4,7 @@
 #include <atomic>
 #include <exception>
 #include <mutex>
+#include <optional>
 #include <thread>
 
 #include "analysis/rule.h"
@@ -13,6 +14,7 @@
 #include "app/session.h"
 #include "app/sweep.h"
 #include "app/version.h"
+#include "boards/replay.h"
 #include "smt/oracle.h"
 #include "smt/repair.h"
 
@@ -85,6 +87,30 @@ void explain(const Program& program, const PropertySet& all,
   }
 }
 
+/// Runs the violations on a board. That one of them differs there is a failed
+/// check of the tool's own answer.
+void replay(const Program& program, const boards::Emulator& emulator,
+            double seconds, FileReport& report) {
+  using Outcome = boards::Replayed::Outcome;
+  const std::string board(emulator.board().name);
+  for (const ObligationResult& result : report.results) {
+    const bool has_run = result.verdict == Verdict::Violated && result.trace &&
+                         !result.trace->steps.empty();
+    if (!has_run) continue;
+    const std::string& name = result.obligation.name;
+    boards::Replayed replayed =
+        boards::replay_on_board(emulator, program, *result.trace, seconds);
+    if (replayed.outcome == Outcome::Different) {
+      report.failures.push_back(
+          {name, fmt::format("{} disagrees with the simulator: {}", board,
+                             replayed.what)});
+      continue;
+    }
+    report.replays.push_back({name, board, result.trace->steps.back().scan,
+                              std::move(replayed.what)});
+  }
+}
+
 void prove(const Program& program, FileReport& report, const Options& options,
            const VerifyOptions& verify_options) {
   const PropertySet all = report.properties;
@@ -114,7 +140,9 @@ std::string missing_properties(const Report& report, const Options& options) {
 
 class CheckRun {
  public:
-  explicit CheckRun(Session& session) : session_(session) {
+  /// `emulator` may be null: violations are executed nowhere else.
+  CheckRun(Session& session, const boards::Emulator* emulator)
+      : session_(session), emulator_(emulator) {
     const Options& options = session.options();
     report_.sources = &session.sources();
     report_.command = options.command;
@@ -189,12 +217,17 @@ class CheckRun {
       }
       if (report_.proved) {
         prove(*loaded.program, loaded.report, session_.options(), options);
+        if (emulator_ != nullptr) {
+          replay(*loaded.program, *emulator_, options.budget.seconds,
+                 loaded.report);
+        }
       }
     }
     return std::move(loaded.report);
   }
 
   Session& session_;
+  const boards::Emulator* emulator_;
   std::vector<Reading> readings_;
   Report report_;
   std::atomic<std::size_t> next_ = 0;
@@ -207,7 +240,15 @@ class CheckRun {
 int run_check(const Options& options) {
   Session session(options);
   if (session.error()) return usage_error(*session.error());
-  CheckRun run(session);
+  // What is missing is said before anything is proved.
+  std::optional<boards::Emulator> emulator;
+  if (!options.replay_on.empty()) {
+    emulator.emplace(*boards::find_board(options.replay_on));
+    if (!emulator->error().empty()) {
+      return usage_error("--replay-on: " + emulator->error());
+    }
+  }
+  CheckRun run(session, emulator ? &*emulator : nullptr);
   const Report& report = run.run();
   const int status = emit(report, options);
   const std::string missing = missing_properties(report, options);

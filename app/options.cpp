@@ -12,6 +12,7 @@
 
 #include "app/version.h"
 #include "base/text.h"
+#include "boards/emulator.h"
 #include "smt/verify.h"
 
 namespace rung {
@@ -115,6 +116,15 @@ void check_engine(const std::string& name) {
   refuse("--engine", name, "one of " + known);
 }
 
+void check_board(const std::string& name) {
+  if (name.empty() || boards::find_board(name) != nullptr) return;
+  std::string known;
+  for (const boards::Board& board : boards::all_boards()) {
+    known += fmt::format("{}{}", known.empty() ? "" : ", ", board.name);
+  }
+  refuse("--replay-on", name, "one of " + known);
+}
+
 void check_texts(const RawOptions& raw, Options& options) {
   for (const std::string& format : raw.formats) {
     options.formats.push_back(parse_format(format));
@@ -157,6 +167,7 @@ void check_texts(const RawOptions& raw, Options& options) {
            "a number of seconds above 0");
   }
   check_engine(options.engine);
+  check_board(options.replay_on);
 }
 
 void add_common(CLI::App& app, RawOptions& raw, Options& options) {
@@ -267,6 +278,8 @@ void add_commands(CLI::App& app, RawOptions& raw, Options& options) {
   add_files(prove, options, 1, kMany);
   prove->add_flag("--sweep", options.sweep,
                   "under every preset of semantics that fits the language");
+  prove->add_option("--replay-on", options.replay_on,
+                    "execute violations on an emulated board: uno, yun, arm");
   add_equiv(app, options);
   CLI::App* bound =
       add_command(app, "bound", "how long from P to Q, at worst and at best");

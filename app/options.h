@@ -32,8 +32,9 @@ struct Options {
   std::string language;
   bool stable_inputs = false;
   std::string pou;
-  bool sweep = false;    // prove
-  bool explain = false;  // check, prove
+  bool sweep = false;     // prove
+  std::string replay_on;  // prove: a board
+  bool explain = false;   // check, prove
   std::string props;
   std::vector<std::string> properties;  // --property; empty: all
   double timeout = 60;

@@ -5,13 +5,13 @@ include(CMakePackageConfigHelpers)
 set(cmake_dir ${CMAKE_INSTALL_LIBDIR}/cmake/rungproof)
 install(TARGETS rungproof rungproof-check RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 install(TARGETS rung_options rung_z3 rung_cadical rung_base rung_frontend
-                rung_analysis rung_rules rung_smt rung_backend rung_reports
-                rung_runtime
+                rung_analysis rung_rules rung_smt rung_backend rung_boards
+                rung_reports rung_runtime
   EXPORT rungproof-targets
   ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
 install(EXPORT rungproof-targets NAMESPACE rungproof::
   DESTINATION ${cmake_dir})
-foreach(folder base frontend analysis smt backend reports runtime)
+foreach(folder base frontend analysis smt backend boards reports runtime)
   install(DIRECTORY ${PROJECT_SOURCE_DIR}/${folder}
     DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/rungproof
     FILES_MATCHING PATTERN "*.h")
@@ -27,6 +27,11 @@ install(FILES ${PROJECT_BINARY_DIR}/rungproof-config.cmake
 install(FILES ${PROJECT_SOURCE_DIR}/docs/rungproof.1
               ${PROJECT_SOURCE_DIR}/docs/rungproof-check.1
   DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
+# What `prove --replay-on` runs: of a build that has the cross compilers.
+if(NOT rung_missing_tools)
+  install(FILES ${replay_images}
+    DESTINATION ${CMAKE_INSTALL_DATADIR}/rungproof/boards)
+endif()
 set(completions ${PROJECT_SOURCE_DIR}/app/completions)
 install(FILES ${completions}/rungproof.bash RENAME rungproof
   DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions)

@@ -98,6 +98,15 @@ class JsonWriter {
     if (!result.reason.empty()) json["reason"] = result.reason;
     if (result.certificate) json["certificate"] = json_of(*result.certificate);
     if (file.explained) json["explanation"] = explanation(file, result);
+    if (const BoardReplay* replay = replay_of(file, obligation)) {
+      const bool executed = replay->reason.empty();
+      json["replay"] = {{"board", replay->board},
+                        {"replayed", executed},
+                        {"scan", nullptr},
+                        {"reason", nullptr}};
+      if (executed) json["replay"]["scan"] = replay->scan;
+      if (!executed) json["replay"]["reason"] = replay->reason;
+    }
     if (result.trace && file.program) {
       json["trace"] =
           json_of(*file.program, *result.trace, signals(file, result, cones));

@@ -1,5 +1,7 @@
 #include "reports/report.h"
 
+#include <algorithm>
+
 namespace rung {
 namespace {
 
@@ -52,6 +54,9 @@ void count(const FileReport& file, Summary& summary) {
   for (const ObligationResult& result : file.results) count(result, summary);
   for (const Diagnostic& finding : file.findings) count(finding, summary);
   summary.failures += file.failures.size();
+  for (const BoardReplay& replay : file.replays) {
+    if (!replay.reason.empty()) ++summary.not_replayed;
+  }
 }
 
 std::size_t findings_at_or_above(const Summary& summary, Severity severity) {
@@ -88,10 +93,19 @@ bool is_input_error(const Diagnostic& diagnostic) {
 int exit_status(const Report& report) {
   const Summary summary = summarise(report);
   if (summary.failures > 0) return 4;
-  if (summary.input_errors > 0) return 2;
+  if (summary.input_errors > 0 || summary.not_replayed > 0) return 2;
   if (summary.violated > 0) return 1;
   if (findings_at_or_above(summary, report.fail_on) > 0) return 1;
   return summary.bounded + summary.vacuous + summary.unknown > 0 ? 3 : 0;
+}
+
+const BoardReplay* replay_of(const FileReport& file,
+                             const Obligation& obligation) {
+  const auto found = std::find_if(file.replays.begin(), file.replays.end(),
+                                  [&](const BoardReplay& replay) {
+                                    return replay.obligation == obligation.name;
+                                  });
+  return found == file.replays.end() ? nullptr : &*found;
 }
 
 std::string_view rule_name(const Diagnostic& diagnostic) {

@@ -18,6 +18,14 @@
 
 namespace rung {
 
+/// A violation that was to be executed on an emulated board (`--replay-on`).
+struct BoardReplay {
+  std::string obligation;
+  std::string board;       // "uno"
+  std::uint64_t scan = 0;  // the run's last one; all cells were as in the run
+  std::string reason;      // not empty: why it was not executed
+};
+
 /// What one input file gave. Every writer reads the same record.
 struct FileReport {
   FileId file;  // in Report::sources; has a value also when it was unreadable
@@ -34,6 +42,7 @@ struct FileReport {
   std::vector<Diagnostic> findings;
   std::vector<ObligationResult> results;
   std::vector<SelfCheckFailure> failures;
+  std::vector<BoardReplay> replays;
   bool explained = false;                 // asked for: proofs in words, and
   std::vector<Explanation> explanations;  // of violations with a run
 };
@@ -69,6 +78,7 @@ struct Summary {
   std::size_t errors = 0;  // of lint rules
   std::size_t input_errors = 0;
   std::size_t failures = 0;  // self-checks
+  std::size_t not_replayed = 0;
 };
 Summary summarise(const Report& report);
 Summary summarise(const FileReport& file);
@@ -77,9 +87,14 @@ Summary summarise(const FileReport& file);
 bool is_input_error(const Diagnostic& diagnostic);
 
 /// The same for every format.
-/// 4: a self-check failed. 2: an input error. 1: a violation, or a finding at
+/// 4: a self-check failed. 2: an input error, or a violation that was to be
+/// executed on a board and was not. 1: a violation, or a finding at
 /// or above `fail_on`. 3: something bounded, vacuous or unknown. 0: none.
 int exit_status(const Report& report);
+
+/// The violation on the board; null where that was not asked for.
+const BoardReplay* replay_of(const FileReport& file,
+                             const Obligation& obligation);
 
 /// The lint rule's name, or "input" for input errors.
 std::string_view rule_name(const Diagnostic& diagnostic);

@@ -147,9 +147,36 @@ class TextWriter {
             "\n\n";
     if (!readable || !result.trace || result.trace->steps.empty()) return;
     write_trace(file, result);
+    write_replay(file, result);
     if (const Explanation* why = explanation_of(file, result.obligation)) {
       out_ += explanation_text(file, *why, paint_, locator_);
     }
+  }
+
+  /// What the property speaks of, as it was on the board.
+  void write_replay(const FileReport& file, const ObligationResult& result) {
+    const BoardReplay* const replay = replay_of(file, result.obligation);
+    if (replay == nullptr) return;
+    out_ += "  " + paint_(Ink::Frame, "=") + " ";
+    if (!replay->reason.empty()) {
+      out_ += paint_(Ink::Warning, "not replayed on " + replay->board) + ": " +
+              printable(replay->reason) + "\n\n";
+      return;
+    }
+    std::string seen;
+    const std::vector<std::int64_t>& values = result.trace->steps.back().values;
+    for (const CellId id :
+         cones_->named(formulas_of(file, result.obligation))) {
+      const Cell& cell = file.program->cells[id];
+      const std::int64_t value = values[id.index()];
+      seen += seen.empty() ? "" : ", ";
+      seen += cell.type == Type::Word
+                  ? fmt::format("{} is {}", cell.name, value)
+                  : fmt::format("{} is {}", cell.name, value != 0);
+    }
+    out_ += paint_(Ink::Good, "replayed on " + replay->board) + ": " +
+            printable(seen) + (seen.empty() ? "the same cells" : "") +
+            fmt::format(" at scan {}\n\n", replay->scan);
   }
 
   /// The lemmas of a proof as sentences.

@@ -30,6 +30,7 @@ _rungproof() {
     --fail-on)
       COMPREPLY=($(compgen -W "note warning error" -- "$current")) ;;
     --color) COMPREPLY=($(compgen -W "auto always never" -- "$current")) ;;
+    --replay-on) COMPREPLY=($(compgen -W "uno yun arm" -- "$current")) ;;
     --self-check) COMPREPLY=($(compgen -W "on off" -- "$current")) ;;
     --recheck) COMPREPLY=($(compgen -W "cvc5 z3" -- "$current")) ;;
     --to)
@@ -44,7 +45,7 @@ _rungproof() {
     *)
       if [[ $previous != --props && $current == -* ]]; then
         case $command in
-          prove) common+=" --sweep" ;;
+          prove) common+=" --sweep --replay-on" ;;
           equiv) common+=" --rung --delay --settled --git" ;;
           lower) common+=" --to --output --binary --header" ;;
           export) common+=" --to --output" ;;

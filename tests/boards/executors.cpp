@@ -1,7 +1,6 @@
 #include "executors.h"
 
 #include <algorithm>
-#include <limits>
 #include <utility>
 
 #include "analysis/simulator.h"
@@ -9,29 +8,12 @@
 #include "avr_board.h"
 #include "boards/emulator.h"
 #include "boards/image.h"
+#include "boards/stop.h"
 #include "random_run.h"
 #include "ts_interpreter.h"
 
 namespace rung {
 namespace {
-
-/// A rung writes what its cell does not hold, or a value leaves 32 bits: the
-/// scan in which the machine stops.
-bool stops(const Program& program, const Simulator& simulator) {
-  for (const Rung& rung : program.rungs) {
-    const Cell& cell = program.cells[rung.target];
-    const std::int64_t value = simulator.node_value(rung.root());
-    if (value < cell.low || value > cell.high) return true;
-  }
-  for (std::uint32_t i = 0; i < program.nodes.size(); ++i) {
-    const std::int64_t value = simulator.node_value(i);
-    if (value < std::numeric_limits<std::int32_t>::min() ||
-        value > std::numeric_limits<std::int32_t>::max()) {
-      return true;
-    }
-  }
-  return false;
-}
 
 std::string describe(const Program& program, const Execution& reference,
                      const Execution& other, std::size_t scans) {
@@ -125,7 +107,7 @@ Execution run_simulator(const Program& program, const Stimulus& stimulus) {
       simulator.set_input(stimulus.inputs[i], step.inputs[i]);
     }
     simulator.scan(step.dt_ms);
-    if (stops(program, simulator)) break;
+    if (boards::machine_stops(program, simulator)) break;
     std::vector<std::int64_t>& values = execution.values.emplace_back();
     for (const CellId id : ids_of(program.cells)) {
       values.push_back(simulator.value(id));
