@@ -14,8 +14,7 @@
 
 namespace rung {
 
-Served::Served(EmulatedController& controller, Wire wire)
-    : controller_(controller) {
+Served::Served(Exchange exchange, Wire wire) : exchange_(std::move(exchange)) {
   if (wire == Wire::Terminal) {
     open_terminal();
   } else {
@@ -69,8 +68,7 @@ void Served::serve() {
       in.assign(buffer.data(),
                 static_cast<std::size_t>(std::max<ssize_t>(size, 0)));
     }
-    const std::string out =
-        spoken(controller_.exchange(in.empty() ? in : heard(in)));
+    const std::string out = spoken(exchange_(in.empty() ? in : heard(in)));
     if (out.empty()) continue;
     if (listening_ >= 0) {
       ::send(wire_, out.data(), out.size(), MSG_NOSIGNAL);

@@ -9,13 +9,23 @@
 
 namespace rung {
 
-/// An emulated controller behind a pseudo terminal or a TCP port, in a thread
-/// of its own. It may be looked at once stop() has returned.
+/// A controller behind a pseudo terminal or a TCP port, in a thread of its own.
+/// It may be looked at once stop() has returned.
 class Served {
  public:
   enum class Wire { Terminal, Tcp };
 
-  Served(EmulatedController& controller, Wire wire);
+  /// Time passes for the controller: it takes bytes, which may be none, and
+  /// gives others.
+  using Exchange = std::function<std::string(const std::string&)>;
+
+  Served(Exchange exchange, Wire wire);
+  Served(EmulatedController& controller, Wire wire)
+      : Served(
+            [&controller](const std::string& bytes) {
+              return controller.exchange(bytes);
+            },
+            wire) {}
   ~Served() { stop(); }
   Served(const Served&) = delete;
   Served& operator=(const Served&) = delete;
@@ -35,7 +45,7 @@ class Served {
   void open_terminal();
   void open_tcp();
 
-  EmulatedController& controller_;
+  Exchange exchange_;
   std::string option_;
   int listening_ = -1;
   int wire_ = -1;
