@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <chrono>
 #include <exception>
 #include <mutex>
 #include <optional>
@@ -87,19 +88,22 @@ void explain(const Program& program, const PropertySet& all,
   }
 }
 
-/// Runs the violations on a board. That one of them differs there is a failed
-/// check of the tool's own answer.
+/// Runs the violations on a board, in `seconds` altogether. That one of them
+/// differs there is a failed check of the tool's own answer.
 void replay(const Program& program, const boards::Emulator& emulator,
             double seconds, FileReport& report) {
   using Outcome = boards::Replayed::Outcome;
+  using Clock = std::chrono::steady_clock;
   const std::string board(emulator.board().name);
+  const Clock::time_point start = Clock::now();
   for (const ObligationResult& result : report.results) {
     const bool has_run = result.verdict == Verdict::Violated && result.trace &&
                          !result.trace->steps.empty();
     if (!has_run) continue;
     const std::string& name = result.obligation.name;
-    boards::Replayed replayed =
-        boards::replay_on_board(emulator, program, *result.trace, seconds);
+    const std::chrono::duration<double> used = Clock::now() - start;
+    boards::Replayed replayed = boards::replay_on_board(
+        emulator, program, *result.trace, seconds - used.count());
     if (replayed.outcome == Outcome::Different) {
       report.failures.push_back(
           {name, fmt::format("{} disagrees with the simulator: {}", board,

@@ -85,16 +85,18 @@ if(NOT rung_missing_tools)
   add_custom_target(arduino_cores DEPENDS ${arduino_cores})
 endif()
 
-# rung_arduino_sketch(FILE BOARD SOURCE...): a sketch with the library of
-# runtime/, as the Arduino IDE builds it, for uno or yun.
+# rung_arduino_sketch(FILE BOARD SOURCE... [FLAG...]): a sketch with the library
+# of runtime/, as the Arduino IDE builds it, for uno or yun.
 function(rung_arduino_sketch file board)
+  set(sources ${ARGN})
+  list(FILTER sources EXCLUDE REGEX "^-")
   file(GLOB library CONFIGURE_DEPENDS ${runtime_dir}/*.cpp)
   add_custom_command(OUTPUT ${file}
     COMMAND ${arduino_build} sketch ${board}
       ${PROJECT_BINARY_DIR}/boards/core-${board}.a ${file} ${ARGN} ${library}
       -I${runtime_dir}
     DEPENDS arduino_cores ${PROJECT_BINARY_DIR}/boards/core-${board}.a
-      ${PROJECT_SOURCE_DIR}/scripts/arduino ${ARGN} ${library}
+      ${PROJECT_SOURCE_DIR}/scripts/arduino ${sources} ${library}
       ${firmware_headers}
     COMMENT "Sketch ${file}" VERBATIM)
 endfunction()

@@ -18,6 +18,7 @@
 #include "avr_board.h"
 #include "boards/image.h"
 #include "cases.h"
+#include "smt/verify.h"
 
 namespace rung {
 namespace {
@@ -105,20 +106,18 @@ bool has_pins(const Program& program) {
 
 class PinBoard {
  public:
-  PinBoard(const Wires& wires, const Case& test)
+  /// `sketch`: "pins", led scan by scan, or "clock", with millis().
+  PinBoard(const Wires& wires, const Case& test,
+           const std::string& sketch = "pins")
       : wires_(wires),
         test_(test),
-        board_(wires.mcu, RUNG_FIRMWARE_DIR "/pins-" + wires.name + ".elf") {}
+        board_(wires.mcu,
+               RUNG_FIRMWARE_DIR "/" + sketch + "-" + wires.name + ".elf") {}
 
   /// What differs from `expected`, the cells at the end of every scan.
   std::string run(const Execution& expected) {
-    if (!board_.error().empty()) return board_.error();
-    if (!load()) return "no place for the program";
-    for (const CellId id : outputs()) {
-      const std::string& name = test_.program->cells[id].name;
-      board_.watch(pin(id), name);
-    }
-    board_.reset();
+    const std::string problem = start();
+    if (!problem.empty()) return problem;
     if (!wait_for(128)) {
       return "the sketch answers " + std::to_string(board_.data()[kCounter]);
     }
@@ -137,6 +136,20 @@ class PinBoard {
     }
     return compare_changes(expected);
   }
+
+  /// Until the sketch begins.
+  std::string start() {
+    if (!board_.error().empty()) return board_.error();
+    if (!load()) return "no place for the program";
+    for (const CellId id : outputs()) {
+      const std::string& name = test_.program->cells[id].name;
+      board_.watch(pin(id), name);
+    }
+    board_.reset();
+    return {};
+  }
+
+  AvrBoard& board() { return board_; }
 
   /// How often a pin went high; what a waveform shows.
   std::size_t rises() const { return rises_; }
@@ -304,6 +317,42 @@ pin3 = (pin5 || pin3) && !pin4;
   EXPECT_EQ(PinBoard(kUno, test).run(expected), "");
   expected.values[17][output.index()] ^= 1;
   EXPECT_EQ(PinBoard(kUno, test).run(expected).substr(0, 8), "scan 18:");
+}
+
+// With millis() for a clock: what is proved of a timer is measured at the pin.
+TEST(BoardPins, ATimerTakesTheTimeThatIsProved) {
+  Programs programs;
+  ASSERT_TRUE(programs.add("timer", R"(//@ language script
+//@ dialect yun
+//@ scan 5..20 ms
+//@ in-time: pin5 for 520 ms implies pin3
+//@ not-before: after !pin5, no pin3 for 500 ms
+pin3 = T(0, 0.5, pin5);
+y0 = TR(0, !pin5);
+)"));
+  const Loaded& loaded = programs.items().front();
+  for (const ObligationResult& result :
+       verify(loaded.program, loaded.properties, {}).results) {
+    if (result.obligation.built_in) continue;
+    EXPECT_EQ(result.verdict, Verdict::Proved) << result.obligation.name;
+  }
+  Case test;
+  ASSERT_TRUE(make_case(loaded, 1, 1, test));
+  for (const Wires* const wires : {&kUno, &kYun}) {
+    PinBoard pins(*wires, test, "clock");
+    ASSERT_EQ(pins.start(), "");
+    AvrBoard& board = pins.board();
+    constexpr std::uint64_t kMillisecond = AvrBoard::kHertz / 1000;
+    board.run(100 * kMillisecond);
+    const std::uint64_t pressed = board.cycle();
+    board.drive(wires->digital[5], true);
+    board.run(700 * kMillisecond);
+    const auto& changes = board.changes(wires->digital[3]);
+    ASSERT_EQ(changes.size(), 2U) << "low, then high";
+    const std::uint64_t after = changes[1].cycle - pressed;
+    EXPECT_GT(after, 500 * kMillisecond) << wires->name;
+    EXPECT_LE(after, 520 * kMillisecond) << wires->name;
+  }
 }
 
 }  // namespace

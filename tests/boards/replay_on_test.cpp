@@ -87,7 +87,7 @@ output word level in 0..10
 rungs
 level 3 + =level
 )";
-  for (const std::uint64_t repeat : {1, 5}) {
+  for (const std::uint64_t repeat : {std::uint64_t{1}, std::uint64_t{5}}) {
     const Played run = make_run(program, 5, repeat);
     const Replayed replayed = replay_on("yun", "replay", run);
     EXPECT_EQ(replayed.outcome, Outcome::NotRun);

@@ -1,6 +1,6 @@
-// A program on a board's pins, as a user's sketch has it; only the clock is not
-// millis(): a test says how long each scan takes. Clock and scan counter are in
-// registers that nothing else uses.
+// A program on a board's pins, as a user's sketch has it. Where a test is to say
+// how long each scan takes, the clock is not millis() but in registers that
+// nothing else uses; so is a counter of scans.
 #include <Rungproof.h>
 
 struct Reserved {
@@ -22,6 +22,9 @@ const rungproof::Pin pins[] RUNGPROOF_FLASH = {
     {"Q2", 12, 0}, {"Q3", 11, 0}, {"Q4", 10, 0}, {"Q5", 9, 0},
 };
 
+#ifdef RUNG_REAL_CLOCK
+typedef rungproof::ArduinoIo Board;
+#else
 class ScriptedClock : public rungproof::ArduinoIo {
  public:
   // Written while it is read: twice the same is whole.
@@ -39,8 +42,11 @@ class ScriptedClock : public rungproof::ArduinoIo {
   uint16_t last_ = 0;
 };
 
+typedef ScriptedClock Board;
+#endif
+
 uint32_t memory[200];
-ScriptedClock board;
+Board board;
 rungproof::Controller controller;
 
 void setup() {
