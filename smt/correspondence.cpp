@@ -104,21 +104,22 @@ using VariableMap = std::vector<VarId>;
 /// A choice is a free bit of the encoding that stands for something fixed in
 /// the program (where a counter is below its floor). Equal states choose
 /// alike, so the n-th of an element is the n-th of its partner.
+std::string element_of_choice(const Variable& choice) {
+  return choice.name.substr(0, choice.name.rfind(".any"));
+}
+
 void match_choices(const TwoSystems& systems, VariableMap& map) {
-  const auto element = [](const std::string& name) {
-    return name.substr(0, name.rfind(".any"));
-  };
   std::unordered_map<std::string, std::vector<VarId>> choices;
   for (const VarId id : ids_of(systems.a.vars)) {
     const Variable& variable = systems.a.vars[id];
     if (variable.role != VarRole::Choice) continue;
-    choices[element(variable.name)].push_back(id);
+    choices[element_of_choice(variable)].push_back(id);
   }
   std::unordered_map<std::string, std::size_t> used;
   for (const VarId id : ids_of(systems.b.vars)) {
     const Variable& variable = systems.b.vars[id];
     if (variable.role != VarRole::Choice) continue;
-    const std::string name = element(variable.name);
+    const std::string name = element_of_choice(variable);
     const auto found = choices.find(name);
     const std::size_t n = used[name]++;
     if (found == choices.end() || n >= found->second.size()) continue;
@@ -246,6 +247,32 @@ Correspondence correspond(const TwoSystems& systems,
   found.states.clear();
   found.image.assign(systems.b.exprs.size(), ExprId());
   return found;
+}
+
+std::vector<ChoicePair> shared_choices(const TwoSystems& systems,
+                                       const std::vector<StatePair>& states) {
+  const auto element = [](const TransitionSystem& ts, const State& state) {
+    const std::string& name = ts.vars[state.var].name;
+    return name.substr(0, name.rfind('.'));
+  };
+  std::unordered_map<std::string, std::size_t> apart;  // states of the second
+  for (const State& state : systems.b.states) {
+    ++apart[element(systems.b, state)];
+  }
+  for (const StatePair& pair : states) {
+    const std::string name = element(systems.b, systems.b.states[pair.b]);
+    if (element(systems.a, systems.a.states[pair.a]) == name) --apart[name];
+  }
+  VariableMap map(systems.b.vars.size());
+  match_choices(systems, map);
+  std::vector<ChoicePair> choices;
+  for (const VarId id : ids_of(systems.b.vars)) {
+    const VarId same = map[id.index()];
+    if (!same.has_value()) continue;
+    if (apart[element_of_choice(systems.b.vars[id])] > 0) continue;
+    choices.push_back({same, id});
+  }
+  return choices;
 }
 
 std::string check_correspondence(const TwoSystems& systems,

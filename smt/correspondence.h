@@ -35,6 +35,11 @@ struct Correspondence {
 Correspondence correspond(const TwoSystems& systems,
                           std::vector<StatePair> candidates);
 
+/// Choices of the second system that are one of the first: those of elements of
+/// which every state is in `states`, a right correspondence.
+std::vector<ChoicePair> shared_choices(const TwoSystems& systems,
+                                       const std::vector<StatePair>& states);
+
 /// Checks a correspondence pair by pair, without search or hashing: all that
 /// has to be believed of it. Empty when it is right, else what is wrong.
 std::string check_correspondence(const TwoSystems& systems,

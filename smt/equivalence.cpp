@@ -170,20 +170,21 @@ class EquivalenceCheck {
   bool equal_by_structure(const std::vector<StatePair>& guesses) {
     const TwoSystems systems{ts_a_, ts_b_, shared_};
     const Correspondence found = correspond(systems, guesses);
-    proved_ = found.states;
-    // Where one program leaves the range of the encoding, so does the other, in
-    // the same scan, from equal operands of the same operator.
-    const bool decided = found.outputs_equal && found.faults_equal;
-    if (!decided || comparison_.delay > 0) return false;
-    Certificate certificate;
+    proved_.states = found.states;
+    proved_.choices = shared_choices(systems, found.states);
     if (options_.self_check) {
       const std::string wrong = check_correspondence(systems, found);
       if (!wrong.empty()) {
         fail(wrong);
         return true;
       }
-      certificate.checked_by.emplace_back("structure");
     }
+    // Where one program leaves the range of the encoding, so does the other, in
+    // the same scan, from equal operands of the same operator.
+    const bool decided = found.outputs_equal && found.faults_equal;
+    if (!decided || comparison_.delay > 0) return false;
+    Certificate certificate;
+    if (options_.self_check) certificate.checked_by.emplace_back("structure");
     for (const StatePair& pair : found.states) {
       certificate.lemmas.push_back(lemma(pair));
     }
@@ -194,7 +195,7 @@ class EquivalenceCheck {
 
   // --- with one --------------------------------------------------------------
 
-  Product product(const std::vector<StatePair>& merged) const {
+  Product product(const Merged& merged) const {
     Product made = make_product(ts_a_, ts_b_, shared_, merged, comparison_);
     assume(made.ts, options_.assumptions, Side::First);
     assume(made.ts, options_.assumptions_b, Side::Second);
@@ -227,10 +228,11 @@ class EquivalenceCheck {
   }
 
   void decide_product() {
-    Product whole = product({});
     const EqualGuesses guesses =
-        guess_equal_states(ts_a_, ts_b_, whole, by_name_);
+        guess_equal_states(ts_a_, ts_b_, product({}), by_name_);
     if (equal_by_structure(guesses.likely)) return;
+    // What is equal by structure is checked as that, and is one from here on.
+    Product whole = product(proved_);
     std::vector<StatePair> open = guesses.likely;
     open.insert(open.end(), guesses.more.begin(), guesses.more.end());
     Product reduced = product(proved_);
@@ -239,10 +241,11 @@ class EquivalenceCheck {
     reduced.same.insert(reduced.same.end(), in_range.begin(), in_range.end());
     const EqualStates equal =
         find_equal_states(reduced, open, relations(reduced), deadline_);
-    std::vector<StatePair> merged = equal.pairs;
-    merged.insert(merged.end(), proved_.begin(), proved_.end());
+    Merged merged = proved_;
+    merged.states.insert(merged.states.end(), equal.pairs.begin(),
+                         equal.pairs.end());
     Invariant invariant;
-    for (const StatePair& pair : merged) {
+    for (const StatePair& pair : equal.pairs) {
       const ExprId same =
           whole.ts.exprs.equal(whole.ts.state_expr(whole.state_a[pair.a]),
                                whole.ts.state_expr(whole.state_b[pair.b]));
@@ -317,8 +320,7 @@ class EquivalenceCheck {
   }
 
   /// The engines, on the product in which equal states are one.
-  void decide_rest(Product& whole, const std::vector<StatePair>& merged,
-                   Invariant& invariant) {
+  void decide_rest(Product& whole, const Merged& merged, Invariant& invariant) {
     Product reduced = product(merged);
     std::vector<Target> targets;
     targets.reserve(reduced.same.size() + reduced.ts.faults.size() + 1);
@@ -409,6 +411,9 @@ class EquivalenceCheck {
                std::string engine) {
     Certificate certificate;
     certificate.k = invariant.k;
+    for (const StatePair& pair : proved_.states) {
+      certificate.lemmas.push_back(lemma(pair));
+    }
     for (const LemmaClause& clause : invariant.lemmas) {
       certificate.lemmas.push_back(to_string(whole.ts, clause));
     }
@@ -425,6 +430,10 @@ class EquivalenceCheck {
         return unknown("the certificate could not be checked: " + report.what);
       }
       certificate.checked_by = report.checked_by;
+      if (!proved_.states.empty()) {
+        certificate.checked_by.insert(certificate.checked_by.begin(),
+                                      "structure");
+      }
       certificate.smtlib_path = report.smtlib_path;
     }
     equivalent(std::move(engine));
@@ -463,7 +472,7 @@ class EquivalenceCheck {
   TransitionSystem ts_a_;
   TransitionSystem ts_b_;
   std::vector<StatePair> by_name_;
-  std::vector<StatePair> proved_;  // equal in every scan, by structure
+  Merged proved_;  // equal in every scan, by structure
   EquivalenceResult result_;
 };
 

@@ -17,6 +17,7 @@ class Importer {
       : from_(from), to_(to), variable_(from.vars.size()) {}
 
   void bind(VarId of, ExprId term) { variable_[of.index()] = term; }
+  ExprId bound(VarId to) const { return variable_[to.index()]; }
   bool is_bound(VarId of) const { return variable_[of.index()].has_value(); }
 
   /// Operands have smaller ids: one pass.
@@ -48,8 +49,7 @@ class ProductBuilder {
                  const SharedSignals& shared)
       : a_(a), b_(b), shared_(shared), from_a_(a, ts()), from_b_(b, ts()) {}
 
-  Product build(const std::vector<StatePair>& merged,
-                const Comparison& comparison) {
+  Product build(const Merged& merged, const Comparison& comparison) {
     ts().scan = a_.scan;
     ts().dt = ts().add_input("dt", VarRole::Dt, Type::Word, a_.scan.min_ms,
                              a_.scan.max_ms);
@@ -58,13 +58,14 @@ class ProductBuilder {
     share_inputs();
     product_.state_a = add_states(a_, "a.", from_a_);
     product_.state_b.assign(b_.states.size(), kNoState);
-    for (const StatePair& pair : merged) {
+    for (const StatePair& pair : merged.states) {
       const std::uint32_t one = product_.state_a[pair.a];
       product_.state_b[pair.b] = one;
       from_b_.bind(b_.states[pair.b].var, ts().state_expr(one));
     }
     add_rest(b_, "b.", from_b_, product_.state_b);
     add_choices(a_, "a.", from_a_);
+    share_choices(merged.choices);
     add_choices(b_, "b.", from_b_);
     from_a_.import_terms();
     from_b_.import_terms();
@@ -186,10 +187,17 @@ class ProductBuilder {
     }
   }
 
+  void share_choices(const std::vector<ChoicePair>& pairs) {
+    for (const ChoicePair& pair : pairs) {
+      from_b_.bind(pair.b, from_a_.bound(pair.a));
+    }
+  }
+
   void add_choices(const TransitionSystem& from, const std::string& side,
                    Importer& importer) {
     for (const VarId id : ids_of(from.vars)) {
       if (from.vars[id].role != VarRole::Choice) continue;
+      if (importer.is_bound(id)) continue;
       const VarId choice = ts().add_input(side + from.vars[id].name,
                                           VarRole::Choice, Type::Bit, 0, 1);
       importer.bind(id, ts().of(choice));
@@ -226,8 +234,7 @@ class ProductBuilder {
 }  // namespace
 
 Product make_product(const TransitionSystem& a, const TransitionSystem& b,
-                     const SharedSignals& shared,
-                     const std::vector<StatePair>& merged,
+                     const SharedSignals& shared, const Merged& merged,
                      const Comparison& comparison) {
   return ProductBuilder(a, b, shared).build(merged, comparison);
 }

@@ -29,11 +29,15 @@ struct Product {
   std::vector<ExprId> same;  // by shared output: equal at a scan's end
 };
 
-/// `merged` pairs become one variable, that of the first system: sound where
-/// they are known to be equal in every scan.
+/// Pairs that are one variable in a product, that of the first system: sound
+/// where they are known to be equal in every scan.
+struct Merged {
+  std::vector<StatePair> states;
+  std::vector<ChoicePair> choices;
+};
+
 Product make_product(const TransitionSystem& a, const TransitionSystem& b,
-                     const SharedSignals& shared,
-                     const std::vector<StatePair>& merged,
+                     const SharedSignals& shared, const Merged& merged,
                      const Comparison& comparison = {});
 
 /// An invariant of `reduced`, a product with merged states, over the variables

@@ -43,6 +43,12 @@ struct StatePair {
   std::uint32_t b = 0;
 };
 
+/// Choices of two systems (VarRole::Choice) that stand for the same.
+struct ChoicePair {
+  VarId a;
+  VarId b;
+};
+
 /// States of the same cell or of the same element by name, with equal types
 /// and initial values.
 std::vector<StatePair> states_by_name(const Program& a, const Program& b,
