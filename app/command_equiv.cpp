@@ -34,6 +34,7 @@ EquivalenceReport empty_report(Session& session) {
   report.working_directory = working_directory();
   report.self_check = session.options().self_check;
   report.map = session.options().map;
+  report.settled = session.options().settled;
   return report;
 }
 

@@ -55,14 +55,9 @@ std::string_view to_string(Outcome outcome) {
   return "";
 }
 
-CertificateCheck::CertificateCheck(const Program& program,
-                                   const PropertySet& properties,
-                                   const ClaimedResult& claimed,
-                                   const std::vector<std::string>& wanted) {
-  const ProgramValues values = encode_program(program, model_);
-  if (model_.unknown_element.empty()) {
-    goals_ = encode_properties(program, properties, values, model_);
-  }
+CertificateCheck::CertificateCheck(Claims claims, const ClaimedResult& claimed,
+                                   const std::vector<std::string>& wanted)
+    : model_(std::move(claims.model)), goals_(std::move(claims.goals)) {
   for (const ClaimedProperty& property : claimed.properties) {
     const bool is_wanted =
         wanted.empty() ||
@@ -75,12 +70,12 @@ CertificateCheck::CertificateCheck(const Program& program,
 }
 
 void CertificateCheck::write_scripts(Group& group) {
-  group.scripts.push_back(write_script(model_, group.proof));
+  group.scripts.push_back(write_script(*model_, group.proof));
   if (!group.helpers.empty() || group.scripts.front().has_other_ranges) {
     Proof helped = group.proof;
     helped.helpers = group.helpers;
     helped.narrow = true;
-    group.scripts.push_back(write_script(model_, helped));
+    group.scripts.push_back(write_script(*model_, helped));
   }
   for (const Script& script : group.scripts) scripts_.push_back(script.text);
 }
@@ -93,8 +88,8 @@ void CertificateCheck::add(const ClaimedProperty& property, std::size_t index) {
         property.verdict == "violated" ? Outcome::ByRun : Outcome::Open;
     return;
   }
-  if (!model_.unknown_element.empty()) {
-    checked.reason = model_.unknown_element + " is not known here";
+  if (!model_->unknown_element.empty()) {
+    checked.reason = model_->unknown_element + " is not known here";
     return;
   }
   const auto goal =
@@ -158,7 +153,7 @@ void CertificateCheck::add_to_group(const ClaimedProperty& property,
 /// Each in a proof of its own.
 void CertificateCheck::add_ways(const ClaimedProperty& property,
                                 std::size_t index, Value condition) {
-  Ways ways = read_ways(property.ways, condition, model_);
+  Ways ways = read_ways(property.ways, condition, *model_);
   Group group;
   bool cut_off = false;
   std::string wrong = read_certificate(property, group, cut_off);
@@ -183,7 +178,7 @@ std::string CertificateCheck::read_certificate(const ClaimedProperty& property,
   group.lemmas = property.lemmas;
   group.conditions = property.conditions;
   for (const std::string& text : property.lemmas) {
-    const Lemma lemma = read_lemma(text, model_);
+    const Lemma lemma = read_lemma(text, *model_);
     if (!lemma.error.empty()) {
       cut_off = lemma.cut_off;
       return "lemma `" + text.substr(0, 200) + "`: " + lemma.error;
@@ -191,7 +186,7 @@ std::string CertificateCheck::read_certificate(const ClaimedProperty& property,
     group.proof.lemmas.push_back({lemma.value, text});
   }
   for (const std::string& text : property.conditions) {
-    const Lemma condition = read_condition(text, model_);
+    const Lemma condition = read_condition(text, *model_);
     if (!condition.error.empty()) continue;
     group.helpers.push_back({condition.value, text});
   }

@@ -1,14 +1,12 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include "analysis/program.h"
-#include "analysis/property.h"
-#include "check/encode_property.h"
-#include "check/model.h"
+#include "check/claims.h"
 #include "check/result_file.h"
 #include "check/script.h"
 
@@ -30,15 +28,15 @@ struct Checked {
   std::string reason;
 };
 
-/// All that a result claims of a program, made into questions for a solver.
+/// All that a result claims, made into questions for a solver.
 ///
-/// The property is read from the source alone. Of the result its name is
-/// looked up, its text compared, and its lemmas are what is tried as a proof.
+/// What is to be proved is read from the source alone. Of the result its name
+/// is looked up, its text compared, and its lemmas are what is tried as a
+/// proof.
 class CertificateCheck {
  public:
   /// `wanted`: the names of properties; empty for all.
-  CertificateCheck(const Program& program, const PropertySet& properties,
-                   const ClaimedResult& claimed,
+  CertificateCheck(Claims claims, const ClaimedResult& claimed,
                    const std::vector<std::string>& wanted);
   CertificateCheck(const CertificateCheck&) = delete;
   CertificateCheck& operator=(const CertificateCheck&) = delete;
@@ -76,7 +74,7 @@ class CertificateCheck {
                     const std::vector<std::string>& answers,
                     std::vector<Checked>& checked);
 
-  Model model_;
+  std::unique_ptr<Model> model_;
   std::vector<Goal> goals_;
   std::vector<Checked> checked_;
   std::vector<Group> groups_;

@@ -14,14 +14,16 @@ constexpr std::int64_t kLargestPreset = std::int64_t{1} << 45;
 
 class ScanEncoder {
  public:
-  ScanEncoder(const Program& program, Model& model)
-      : program_(program), model_(model), terms_(model.terms()) {}
+  ScanEncoder(const Program& program, Model& model, const Side& side)
+      : program_(program), model_(model), terms_(model.terms()), side_(side) {}
 
   ProgramValues encode() {
-    model_.dt = model_.add_input("dt", true, program_.scan.min_ms,
-                                 program_.scan.max_ms);
+    if (model_.dt.terms == nullptr) {
+      model_.dt = model_.add_input("dt", true, program_.scan.min_ms,
+                                   program_.scan.max_ms);
+    }
     for (const CellId id : ids_of(program_.cells)) declare(program_.cells[id]);
-    for (const Instance& instance : program_.instances) declare(instance);
+    for (const InstanceId id : ids_of(program_.instances)) declare(id);
     if (!model_.unknown_element.empty()) return std::move(values_);
     nodes_.resize(program_.nodes.size());
     for (const Rung& rung : program_.rungs) run(rung);
@@ -34,20 +36,25 @@ class ScanEncoder {
 
   void declare(const Cell& cell) {
     const bool word = cell.type == Type::Word;
+    const std::string name = side_.prefix + cell.name;
     if (cell.role == CellRole::Input) {
+      const auto same = side_.inputs.find(cell.name);
       values_.cells.push_back(
-          model_.add_input(cell.name, word, cell.low, cell.high));
+          same != side_.inputs.end()
+              ? same->second
+              : model_.add_input(name, word, cell.low, cell.high));
       values_.cell_state.push_back(kNoState);
       return;
     }
-    const std::uint32_t state = model_.add_state(cell.name, word, cell.initial);
+    const std::uint32_t state = model_.add_state(name, word, cell.initial);
     if (word) model_.claim(state, cell.low, cell.high);
-    model_.name(cell.name, model_.states[state].now);
+    model_.name(name, model_.states[state].now);
     values_.cells.push_back(model_.states[state].now);
     values_.cell_state.push_back(state);
   }
 
-  void declare(const Instance& instance) {
+  void declare(InstanceId id) {
+    const Instance& instance = program_.instances[id];
     const Kind* const kind = find_kind(instance.kind->id);
     kinds_.push_back(kind);
     std::vector<Value> now;
@@ -61,7 +68,7 @@ class ScanEncoder {
       }
     } else {
       for (const ElementState& state : kind->states) {
-        states.push_back(declare(instance, state));
+        states.push_back(declare(id, state));
         now.push_back(model_.states[states.back()].now);
       }
       pass_time(instance, *kind, now);
@@ -71,18 +78,24 @@ class ScanEncoder {
     values_.fired.push_back(terms_.bit(false));
   }
 
-  std::uint32_t declare(const Instance& instance, const ElementState& row) {
+  std::uint32_t declare(InstanceId id, const ElementState& row) {
+    const Instance& instance = program_.instances[id];
+    const bool own = side_.clock_caps.empty();
     const bool word = row.shape != StateShape::Bit;
-    const std::string name = instance.name + "." + std::string(row.name);
+    const std::string name =
+        side_.prefix + instance.name + "." + std::string(row.name);
     const std::uint32_t state = model_.add_state(name, word, 0);
     Value seen = model_.states[state].now;
     if (row.shape == StateShape::Clock) {
       model_.claim(state, 0, {});
-      seen = smaller(seen, terms_.number(instance.clock_cap));
+      const std::int64_t cap =
+          own ? instance.clock_cap : side_.clock_caps[id.index()];
+      seen = smaller(seen, terms_.number(cap));
     } else if (row.shape == StateShape::Count) {
       claim_count(state, row, instance.largest_parameter);
       const Value floor = terms_.number(row.floor);
-      if (row.floor != INT64_MIN) seen = choose(seen < floor, floor, seen);
+      if (own && row.floor != INT64_MIN)
+        seen = choose(seen < floor, floor, seen);
     }
     model_.name(name, seen);
     return state;
@@ -248,6 +261,7 @@ class ScanEncoder {
   const Program& program_;
   Model& model_;
   Terms& terms_;
+  const Side& side_;
   ProgramValues values_;
   std::vector<const Kind*> kinds_;  // by InstanceId
   std::vector<Value> nodes_;
@@ -255,8 +269,9 @@ class ScanEncoder {
 
 }  // namespace
 
-ProgramValues encode_program(const Program& program, Model& model) {
-  return ScanEncoder(program, model).encode();
+ProgramValues encode_program(const Program& program, Model& model,
+                             const Side& side) {
+  return ScanEncoder(program, model, side).encode();
 }
 
 }  // namespace rung::check

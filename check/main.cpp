@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <exception>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "analysis/property_line.h"
@@ -25,10 +26,10 @@ constexpr int kBadInput = 2;
 constexpr int kOpen = 3;
 
 struct Command {
-  std::string source;
-  std::string result;
+  std::vector<std::string> files;  // one or two sources, and the result
   std::string solver = "z3";
   std::string scan;
+  std::vector<std::pair<std::string, std::string>> map;
   std::vector<std::string> properties;
   double seconds = 60;
   Options reading;  // how the source is to be read, as for `prove`
@@ -40,9 +41,10 @@ int bad_input(const std::string& message) {
 }
 
 void add_options(CLI::App& app, Command& command) {
-  app.add_option("SOURCE", command.source, "the program")->required();
-  app.add_option("RESULT", command.result,
-                 "what `rungproof prove --format json SOURCE` wrote")
+  app.add_option("FILES", command.files,
+                 "the program, or the two that were compared, and what "
+                 "`rungproof prove` or `equiv` wrote with --format json")
+      ->expected(2, 3)
       ->required();
   app.add_option("--solver", command.solver, "z3 (default) or cvc5, from PATH")
       ->check(CLI::IsMember({"z3", "cvc5"}));
@@ -142,60 +144,114 @@ int conclude(const std::vector<Checked>& checked, const Program& program,
   return of(Outcome::NotChecked) > 0 ? kOpen : kConfirmed;
 }
 
-int check_result(const Command& command, const ClaimedResult& claimed,
-                 const Loaded& loaded) {
-  const Program& program = *loaded.program;
-  const std::string other = difference(claimed, loaded.report, program);
-  if (!other.empty()) {
-    fmt::print("rejected: the result is about {}\n", other);
-    return kRejected;
-  }
-  const CertificateCheck check(program, loaded.report.properties, claimed,
-                               command.properties);
+int check_claims(const Command& command, const ClaimedResult& claimed,
+                 Claims claims, const Loaded& loaded) {
+  const CertificateCheck check(std::move(claims), claimed, command.properties);
   Answers answers;
   if (!check.scripts().empty()) {
     answers = ask_solver(command.solver, check.scripts(), command.seconds);
   }
   // A failure in the middle: what was said before it is not to be trusted.
   if (!answers.error.empty()) answers.list.clear();
-  return conclude(check.conclude(answers.list, answers.error), program,
+  return conclude(check.conclude(answers.list, answers.error), *loaded.program,
                   loaded.report);
 }
 
-int run(Command& command) {
-  if (!read_scan(command)) return bad_input("--scan: MIN..MAX is expected");
-  SourceSet sources;
-  const Input result = read_input(command.result, sources);
-  if (result.error) return bad_input(result.error->message);
-  const ClaimedResult claimed = read_result(sources[result.file].text());
-  if (claimed.is_equivalence) {
-    fmt::print("not checked: `equiv` is not known here\n");
+int check_properties(const Command& command, const ClaimedResult& claimed,
+                     const Loaded& loaded) {
+  const std::string other = difference(claimed, loaded.report, *loaded.program);
+  if (!other.empty()) {
+    fmt::print("rejected: the result is about {}\n", other);
+    return kRejected;
+  }
+  return check_claims(command, claimed,
+                      claims_of(*loaded.program, loaded.report.properties),
+                      loaded);
+}
+
+int check_equivalence(const Command& command, const ClaimedResult& claimed,
+                      const std::vector<Loaded>& loaded) {
+  if (claimed.is_settled) {
+    fmt::print("not checked: `equiv --settled` is not known here\n");
     return kOpen;
   }
+  Claims claims = claims_of({*loaded[0].program, loaded[0].report.properties},
+                            {*loaded[1].program, loaded[1].report.properties},
+                            command.map, claimed);
+  if (!claims.error.empty()) {
+    fmt::print("rejected: {}\n", claims.error);
+    return kRejected;
+  }
+  return check_claims(command, claimed, std::move(claims), loaded[0]);
+}
+
+/// `a=b`, as for `rungproof equiv`.
+bool read_map(Command& command, const std::vector<std::string>& texts) {
+  for (const std::string& text : texts) {
+    const std::size_t equals = text.find('=');
+    if (equals == 0 || equals >= text.size() - 1) return false;
+    command.map.emplace_back(text.substr(0, equals), text.substr(equals + 1));
+  }
+  return true;
+}
+
+/// The sources; less than were named where one is no program.
+std::vector<Loaded> load_sources(const Command& command, SourceSet& sources,
+                                 int& status) {
+  std::vector<AstAnnotation> extra;
+  std::vector<Loaded> all;
+  if (!command.reading.props.empty()) {
+    const Input lines = read_input(command.reading.props, sources);
+    if (lines.error) {
+      status = bad_input(lines.error->message);
+      return all;
+    }
+    extra = property_lines(sources, lines.file);
+  }
+  for (std::size_t i = 0; i + 1 < command.files.size(); ++i) {
+    const Input source = read_input(command.files[i], sources);
+    Loaded loaded = load(source, command.reading, extra, sources);
+    if (!loaded.program) {
+      status = report_errors(loaded.report, sources);
+      return all;
+    }
+    all.push_back(std::move(loaded));
+  }
+  return all;
+}
+
+int run(const Command& command) {
+  SourceSet sources;
+  const Input result = read_input(command.files.back(), sources);
+  if (result.error) return bad_input(result.error->message);
+  const ClaimedResult claimed = read_result(sources[result.file].text());
   if (!claimed.error.empty()) {
-    return bad_input(command.result + ": " + claimed.error);
+    return bad_input(command.files.back() + ": " + claimed.error);
+  }
+  const std::size_t wanted = claimed.is_equivalence ? 2 : 1;
+  if (command.files.size() != wanted + 1) {
+    return bad_input(fmt::format("the result is about {} program{}", wanted,
+                                 wanted == 1 ? "" : "s"));
   }
   const std::string unknown = unknown_name(command, claimed);
   if (!unknown.empty()) {
     return bad_input("the result has no property `" + unknown + "`");
   }
-  std::vector<AstAnnotation> extra;
-  if (!command.reading.props.empty()) {
-    const Input lines = read_input(command.reading.props, sources);
-    if (lines.error) return bad_input(lines.error->message);
-    extra = property_lines(sources, lines.file);
-  }
-  const Input source = read_input(command.source, sources);
-  const Loaded loaded = load(source, command.reading, extra, sources);
-  if (!loaded.program) return report_errors(loaded.report, sources);
-  return check_result(command, claimed, loaded);
+  int status = kBadInput;
+  const std::vector<Loaded> loaded = load_sources(command, sources, status);
+  if (loaded.size() != wanted) return status;
+  return claimed.is_equivalence ? check_equivalence(command, claimed, loaded)
+                                : check_properties(command, claimed, loaded[0]);
 }
 
 int run(int argc, char** argv) {
   CLI::App app("Re-checks the proofs of rungproof against the source.",
                "rungproof-check");
   Command command;
+  std::vector<std::string> map;
   add_options(app, command);
+  app.add_option("--map", map, "as for `rungproof equiv`")
+      ->allow_extra_args(false);
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& done) {
@@ -203,6 +259,8 @@ int run(int argc, char** argv) {
   } catch (const CLI::Error& error) {
     return bad_input(std::string(error.what()));
   }
+  if (!read_scan(command)) return bad_input("--scan: MIN..MAX is expected");
+  if (!read_map(command, map)) return bad_input("--map: a=b is expected");
   return run(command);
 }
 

@@ -94,8 +94,19 @@ struct ProgramValues {
   static constexpr std::uint32_t kNoState = 0xffff'ffff;
 };
 
+/// One of two programs that run side by side.
+struct Side {
+  std::string prefix;  // of all that certificates name
+  /// By an input's name here: the other side's that it is the same as.
+  std::unordered_map<std::string, Value> inputs;
+  /// By InstanceId: where its clocks are cut when certificates name them;
+  /// empty: at Instance::clock_cap. Counts are not cut then.
+  std::vector<std::int64_t> clock_caps;
+};
+
 /// Encodes `program`: one scan, assignment by assignment.
 /// Limits: linear in the program.
-ProgramValues encode_program(const Program& program, Model& model);
+ProgramValues encode_program(const Program& program, Model& model,
+                             const Side& side = {});
 
 }  // namespace rung::check

@@ -91,9 +91,34 @@ void read_file(const Json& json, ClaimedResult& result) {
   result.scan_max_ms = number_of(scan[1]);
 }
 
+/// An output is a property: that it is the same in both programs.
+void read_equivalence(const Json& json, ClaimedResult& result) {
+  result.is_equivalence = true;
+  result.is_settled =
+      json.contains("settled") && json.at("settled") != Json(false);
+  const std::int64_t delay = number_of(member(json, "delay"));
+  if (delay < 0 || static_cast<std::uint64_t>(delay) > kDeepest) {
+    throw BadResult{"`delay` is out of range"};
+  }
+  result.delay = static_cast<std::uint32_t>(delay);
+  ClaimedProperty property;
+  property.kind = "equiv";
+  property.goal = "invariant";
+  const std::string verdict = text_of(json, "verdict");
+  property.verdict = verdict == "equivalent"  ? "proved"
+                     : verdict == "different" ? "violated"
+                                              : verdict;
+  const Json& certificate = member(json, "certificate");
+  if (!certificate.is_null()) read_certificate(certificate, property);
+  for (const std::string& name : texts_of(json, "outputs")) {
+    property.name = name;
+    result.properties.push_back(property);
+  }
+}
+
 void read_whole(const Json& json, ClaimedResult& result) {
   const std::string schema = text_of(json, "schema");
-  result.is_equivalence = schema == "rungproof.equiv/1";
+  if (schema == "rungproof.equiv/1") return read_equivalence(json, result);
   if (schema != "rungproof.result/1") {
     throw BadResult{"its schema is not `rungproof.result/1`"};
   }

@@ -21,10 +21,13 @@ struct ClaimedProperty {
   std::vector<std::string> ways;
 };
 
-/// A result of `rungproof check` or `rungproof prove` about one file.
+/// A result of `rungproof check` or `rungproof prove` about one file, or of
+/// `rungproof equiv` about two: then each output is a property of its name.
 struct ClaimedResult {
-  std::string error;            // it is no such result
-  bool is_equivalence = false;  // but one of `rungproof equiv`
+  std::string error;  // it is no such result
+  bool is_equivalence = false;
+  bool is_settled = false;  // `equiv --settled`
+  std::uint32_t delay = 0;  // scans by which the second program lags behind
   std::string language;
   std::string dialect;
   std::string semantics;
@@ -33,8 +36,9 @@ struct ClaimedResult {
   std::vector<ClaimedProperty> properties;
 };
 
-/// Reads schema rungproof.result/1. Nothing in it is believed: what it says of
-/// the program is compared with the source, and what it claims is proved.
+/// Reads rungproof.result/1 and rungproof.equiv/1. Nothing in it is believed:
+/// what it says of the program is compared with the source, and what it claims
+/// is proved.
 ClaimedResult read_result(std::string_view text);
 
 }  // namespace rung::check

@@ -139,6 +139,7 @@ Json json_of(const EquivalenceReport& report) {
                {"verdict", report.verdict},
                {"outputs", report.outputs},
                {"delay", report.delay},
+               {"settled", report.settled},
                {"engine", report.engine},
                {"certificate", nullptr},
                {"trace", nullptr},

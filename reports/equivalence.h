@@ -27,6 +27,7 @@ struct EquivalenceReport {
   std::vector<std::pair<std::string, std::string>> map;
   std::string engine;
   std::uint32_t delay = 0;  // scans that the second lags behind
+  bool settled = false;     // compared where nothing moves any more
   std::uint64_t scans = 0;  // of the trace
   double milliseconds = 0;
   std::string reason;

@@ -31,6 +31,12 @@ std::string result_of(const std::string& name, const std::string& kind,
          lemmas + "]}}]}";
 }
 
+std::string equivalence(const std::string& lemmas, const std::string& more) {
+  return R"({"schema": "rungproof.equiv/1", "verdict": "equivalent",
+    "outputs": ["Q0"], "delay": 0, "certificate": {"k": 0, "lemmas": [)" +
+         lemmas + "]}" + more + "}";
+}
+
 class CheckCommand : public testing::Test {
  protected:
   CheckCommand() {
@@ -94,15 +100,46 @@ TEST_F(CheckCommand, Rejects) {
   EXPECT_EQ(run("a.rung good.json"), 1) << said_;
 }
 
+TEST_F(CheckCommand, ComparesTwoPrograms) {
+  write("b.rung", "Q0 = I0 && !I1 || Q0 && !I1;\n");
+  write("c.rung", "Q0 = I0 && !I1 || Q0 && !I2;\n");
+  write("d.rung", "Q5 = I3 && !I1 || Q5 && !I1;\n");
+  write("same.json", equivalence("\"(a.Q0 == b.Q0)\"", ""));
+  EXPECT_EQ(run("a.rung b.rung same.json"), 0) << said_;
+  EXPECT_NE(said_.find("confirmed: Q0\n"), std::string::npos) << said_;
+  EXPECT_EQ(run("a.rung c.rung same.json"), 1) << said_;
+  EXPECT_EQ(run("a.rung d.rung same.json"), 1) << said_;
+  write("mapped.json", equivalence("\"(a.Q0 == b.Q5)\"", ""));
+  EXPECT_EQ(run("a.rung d.rung mapped.json --map Q0=Q5 --map I0=I3"), 0)
+      << said_;
+  EXPECT_EQ(run("a.rung d.rung mapped.json --map Q0=Q5"), 1) << said_;
+}
+
 TEST_F(CheckCommand, RefusesBadInput) {
   write("bad.json", "{");
+  write("same.json", equivalence("", ""));
   write("bad.rung", "Q0 = ;\n");
-  for (const char* const arguments :
-       {"", "a.rung", "a.rung none.json", "none.rung good.json",
-        "a.rung bad.json", "bad.rung good.json", "a.rung a.rung",
-        "a.rung good.json --property c", "a.rung good.json --solver none",
-        "a.rung good.json --scan five", "a.rung good.json --scan 9..1",
-        "a.rung good.json --dialect none", "a.rung good.json --timeout 0"}) {
+  for (const char* const arguments : {"",
+                                      "a.rung",
+                                      "a.rung none.json",
+                                      "none.rung good.json",
+                                      "a.rung bad.json",
+                                      "bad.rung good.json",
+                                      "a.rung a.rung",
+                                      "a.rung good.json --property c",
+                                      "a.rung good.json --solver none",
+                                      "a.rung good.json --scan five",
+                                      "a.rung good.json --scan 9..1",
+                                      "a.rung good.json --dialect none",
+                                      "a.rung good.json --timeout 0",
+                                      "a.rung same.json",
+                                      "a.rung a.rung good.json",
+                                      "a.rung bad.rung same.json",
+                                      "a.rung none.rung same.json",
+                                      "a.rung a.rung a.rung same.json",
+                                      "a.rung a.rung same.json --map Q0",
+                                      "a.rung a.rung same.json --map =Q0",
+                                      "a.rung a.rung same.json --map Q0="}) {
     EXPECT_EQ(run(arguments), 2) << arguments << "\n" << said_;
   }
 }
@@ -113,8 +150,9 @@ TEST_F(CheckCommand, SaysWhatItDoesNotCheck) {
   EXPECT_NE(said_.find("not checked: b: `settles` is not known here"),
             std::string::npos)
       << said_;
-  write("equiv.json", R"({"schema": "rungproof.equiv/1"})");
-  EXPECT_EQ(run("a.rung equiv.json"), 3) << said_;
+  write("settled.json",
+        equivalence("\"(a.Q0 == b.Q0)\"", ", \"settled\": true"));
+  EXPECT_EQ(run("a.rung a.rung settled.json"), 3) << said_;
   // A solver that is not there confirms nothing.
   ::setenv("RUNG_OLD_PATH", std::getenv("PATH"), 1);
   ::setenv("PATH", path_.c_str(), 1);

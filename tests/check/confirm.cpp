@@ -43,7 +43,8 @@ check::ClaimedResult claimed_by(const VerifyReport& report) {
 void Confirmation::add(const Program& program, const PropertySet& properties,
                        const check::ClaimedResult& claimed) {
   checks_.push_back(std::make_unique<check::CertificateCheck>(
-      program, properties, claimed, std::vector<std::string>{}));
+      check::claims_of(program, properties), claimed,
+      std::vector<std::string>{}));
 }
 
 std::vector<std::vector<check::Checked>> Confirmation::ask() const {

@@ -19,6 +19,7 @@
 #include "program_generator.h"
 #include "property_generator.h"
 #include "random_run.h"
+#include "tests/setting.h"
 
 namespace rung {
 namespace {
