@@ -15,6 +15,7 @@
 #include "program_generator.h"
 #include "random_run.h"
 #include "shrink_tape.h"
+#include "tests/setting.h"
 
 namespace rung {
 namespace {

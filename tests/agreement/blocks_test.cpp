@@ -11,6 +11,7 @@
 #include "block_programs.h"
 #include "comparison.h"
 #include "random_run.h"
+#include "tests/setting.h"
 
 namespace rung {
 namespace {

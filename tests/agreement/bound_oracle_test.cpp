@@ -23,6 +23,7 @@
 #include "random_run.h"
 #include "shrink_tape.h"
 #include "smt/bound.h"
+#include "tests/setting.h"
 
 namespace rung {
 namespace {

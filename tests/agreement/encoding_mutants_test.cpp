@@ -19,6 +19,7 @@
 #include "mutant.h"
 #include "mutant_runs.h"
 #include "random_run.h"
+#include "tests/setting.h"
 
 namespace rung {
 namespace {

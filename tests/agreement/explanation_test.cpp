@@ -19,6 +19,7 @@
 #include "random_run.h"
 #include "smt/repair.h"
 #include "state_search.h"
+#include "tests/setting.h"
 
 namespace rung {
 namespace {

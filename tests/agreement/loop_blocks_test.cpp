@@ -13,6 +13,7 @@
 #include "random_run.h"
 #include "shrink_tape.h"
 #include "smt/verify.h"
+#include "tests/setting.h"
 
 namespace rung {
 namespace {

@@ -28,6 +28,7 @@
 #include "smt/liveness_questions.h"
 #include "smt/verify.h"
 #include "state_search.h"
+#include "tests/setting.h"
 
 namespace rung {
 namespace {

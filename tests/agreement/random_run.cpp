@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cstdlib>
 #include <utility>
 #include <vector>
 
@@ -98,11 +97,6 @@ bool faulted(const TransitionSystem& ts, const TsInterpreter& interpreter) {
                      [&](const Fault& fault) {
                        return interpreter.value(fault.condition) != 0;
                      });
-}
-
-std::uint64_t setting(const char* name, std::uint64_t otherwise) {
-  const char* const text = std::getenv(name);
-  return text == nullptr ? otherwise : std::strtoull(text, nullptr, 10);
 }
 
 }  // namespace rung

@@ -38,7 +38,4 @@ void set_inputs(const TransitionSystem& ts, const Stimulus& stimulus,
 /// From such a scan on the encoding does not claim to be the program.
 bool faulted(const TransitionSystem& ts, const TsInterpreter& interpreter);
 
-/// An environment variable's number.
-std::uint64_t setting(const char* name, std::uint64_t otherwise);
-
 }  // namespace rung

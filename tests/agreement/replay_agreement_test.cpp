@@ -18,6 +18,7 @@
 #include "property_generator.h"
 #include "random_run.h"
 #include "shrink_tape.h"
+#include "tests/setting.h"
 
 namespace rung {
 namespace {

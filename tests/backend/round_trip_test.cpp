@@ -9,6 +9,7 @@
 
 #include "lowering.h"
 #include "tests/agreement/program_generator.h"
+#include "tests/setting.h"
 
 namespace rung {
 namespace {
@@ -90,9 +91,8 @@ TEST_P(RoundTrip, OfRandomPrograms) {
 
 // RUNG_LOWER_PROGRAMS=5000 for as many of both kinds.
 TEST_P(RoundTrip, OfManyRandomPrograms) {
-  const char* const count = std::getenv("RUNG_LOWER_PROGRAMS");
-  if (count == nullptr) GTEST_SKIP() << "RUNG_LOWER_PROGRAMS is not set";
-  const std::size_t programs = std::strtoul(count, nullptr, 10);
+  const std::size_t programs = setting("RUNG_LOWER_PROGRAMS", 0);
+  if (programs == 0) GTEST_SKIP() << "RUNG_LOWER_PROGRAMS is not set";
   std::size_t refused = random(true, 1'000'000, programs);
   refused += random(false, 2'000'000, programs);
   EXPECT_LT(refused, 2 * programs);

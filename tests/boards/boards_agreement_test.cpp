@@ -11,6 +11,7 @@
 
 #include "cases.h"
 #include "random_run.h"
+#include "tests/setting.h"
 
 namespace rung {
 namespace {

@@ -10,6 +10,7 @@
 
 #include "smt/verify.h"
 #include "source.h"
+#include "tests/setting.h"
 
 namespace rung {
 namespace {
@@ -84,7 +85,8 @@ TEST(SameAnswers, InAHundredRunsOfAnyNumberOfThreads) {
   ASSERT_GT(first.size(), 20U);
   std::mt19937 random(7);
   std::vector<std::unique_ptr<char[]>> clutter;  // for other addresses
-  for (int run = 0; run < 100; ++run) {
+  const std::uint64_t runs = setting("RUNG_SAME_ANSWERS", 100);
+  for (std::uint64_t run = 0; run < runs; ++run) {
     clutter.push_back(std::make_unique<char[]>(random() % 5000));
     VerifyOptions options;
     options.jobs = 1 + static_cast<std::uint32_t>(random() % 8);
