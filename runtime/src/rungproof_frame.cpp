@@ -16,8 +16,7 @@ bool FrameReader::put(uint8_t byte) {
     return false;
   }
   // A group: so many bytes, and a zero between two groups. One of 255 bytes,
-  // behind which COBS has no zero, is longer than a frame.
-  if (byte > kFrameBytes + 1) broken_ = true;
+  // behind which COBS has no zero, is longer than a frame and ends as broken.
   if (!first_) append(0);
   first_ = false;
   left_ = static_cast<uint8_t>(byte - 1);

@@ -53,9 +53,9 @@ std::string invert_pins() {
 
 class LinkedBoard {
  public:
-  explicit LinkedBoard(const Model& model)
+  explicit LinkedBoard(const Model& model, const std::string& sketch = "live")
       : model_(model),
-        board_(model.mcu, std::string(RUNG_FIRMWARE_DIR) + "/live-" +
+        board_(model.mcu, std::string(RUNG_FIRMWARE_DIR) + "/" + sketch + "-" +
                               model.name + ".elf") {
     EXPECT_EQ(board_.error(), "");
     run(kBoot);
@@ -327,6 +327,47 @@ TEST(LiveBoard, TheReadersOfTheHostReachIt) {
   linked.run(50'000);  // this program has scans of a millisecond
   EXPECT_TRUE(linked.board().level(kUno.output));
   std::remove(file.c_str());
+}
+
+/// The example as a user finds it: at its own speed, on its own pins.
+TEST(LiveBoard, TheExampleIsWhatItSays) {
+  const std::string folder = RUNG_SOURCE_DIR "/runtime/examples/LiveUpdate/";
+  const Said header =
+      shell(RUNG_PROGRAM " lower --to postfix --header " + folder +
+            "start_stop.rung | cmp - " + folder + "start_stop.h");
+  EXPECT_EQ(header.status, 0) << header.text;
+
+  const AvrBoard::Pin start{'D', 2};
+  const AvrBoard::Pin stop{'D', 3};
+  const AvrBoard::Pin second{'D', 4};
+  const AvrBoard::Pin motor{'B', 5};
+  LinkedBoard linked(kUno, "LiveUpdate");
+  const auto press = [&linked](AvrBoard::Pin pin) {
+    for (const bool level : {true, false}) {
+      linked.board().drive(pin, level);
+      linked.run(100'000);
+    }
+  };
+  press(start);
+  EXPECT_TRUE(linked.board().level(motor));
+  press(stop);
+  EXPECT_FALSE(linked.board().level(motor));
+  {
+    Served served(
+        [&linked](const std::string& bytes) {
+          constexpr std::uint64_t kSlow = 1400;  // 115200 baud
+          return linked.exchange(bytes, 16000 + kSlow * bytes.size());
+        },
+        Served::Wire::Terminal);
+    const Said upload = shell(RUNG_PROGRAM " upload " + folder +
+                              "two_hands.rung " + served.option());
+    EXPECT_EQ(upload.status, 0) << upload.text;
+  }
+  press(start);
+  EXPECT_FALSE(linked.board().level(motor));
+  linked.board().drive(second, true);
+  press(start);
+  EXPECT_TRUE(linked.board().level(motor));
 }
 
 }  // namespace

@@ -21,7 +21,7 @@ class Eeprom : public rungproof::Storage {
     if (dead_) return;
     dead_ = writes_++ == cut_at_;
     bytes_.at(at) = dead_ ? torn_ : byte;
-    if (at == stuck_) bytes_[at] = 0x5a;
+    if (at == stuck_) bytes_[at] = stuck_at_;
   }
 
   /// The write of that number leaves `torn` behind, and none comes after it.
@@ -35,7 +35,11 @@ class Eeprom : public rungproof::Storage {
   }
   bool dead() const { return dead_; }
   std::size_t writes() const { return writes_; }
-  void wear_out(std::uint16_t at) { stuck_ = at; }
+  /// Whatever is written there from now on, this is what it holds.
+  void wear_out(std::uint16_t at, std::uint8_t value = 0x5a) {
+    stuck_ = at;
+    stuck_at_ = value;
+  }
   /// ready() is true at every `calls`th call.
   void slow_down(unsigned calls) { wait_ = calls; }
   std::vector<std::uint8_t>& bytes() { return bytes_; }
@@ -48,6 +52,7 @@ class Eeprom : public rungproof::Storage {
   std::size_t cut_at_ = kNever;
   std::uint32_t stuck_ = 0x10000;
   std::uint8_t torn_ = 0;
+  std::uint8_t stuck_at_ = 0;
   unsigned wait_ = 1;
   mutable unsigned asked_ = 0;
   bool dead_ = false;

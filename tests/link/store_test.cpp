@@ -163,6 +163,16 @@ TEST(Store, SaysWhereACellIsWornOut) {
   }
 }
 
+TEST(Store, TouchesNothingWhereTheMarkStays) {
+  Eeprom eeprom(kSize);
+  Store store(eeprom);
+  for (std::uint8_t i = 1; i < 3; ++i) write(store, eeprom, program(i, 20));
+  eeprom.wear_out(11, 0xa5);  // the mark of the first bank, which is older
+  EXPECT_EQ(write(store, eeprom, program(3, 20)), Progress::Failed);
+  EXPECT_EQ(loaded(eeprom), program(2, 20));
+  EXPECT_EQ(loaded(eeprom, 1), program(1, 20));
+}
+
 TEST(Store, LeavesAloneTheBankOfWhatRuns) {
   Eeprom eeprom(kSize);
   Store store(eeprom);
