@@ -3,9 +3,9 @@
 
 #include <algorithm>
 #include <array>
-#include <filesystem>
 
 #include "app/commands.h"
+#include "app/controller.h"
 #include "app/output.h"
 #include "app/session.h"
 #include "app/translation.h"
@@ -19,7 +19,6 @@
 #include "backend/script/write.h"
 #include "backend/st/write.h"
 #include "base/text.h"
-#include "rungproof_controller.h"
 
 namespace rung {
 namespace {
@@ -85,29 +84,36 @@ std::optional<backend::Written> write_postfix(const Program& program,
   return backend::Written{.text = std::move(*bytes)};
 }
 
-/// Called after the file that is written, else after the program's.
-std::string header_of(const std::string& bytes, const Options& options) {
-  const std::filesystem::path path =
-      to_standard_output(options) ? options.files.front() : options.output;
-  const std::uint32_t words = rungproof::Controller::memory_words(
-      reinterpret_cast<const std::uint8_t*>(bytes.data()),
-      static_cast<std::uint32_t>(bytes.size()));
-  return postfix_header(bytes, words, path.stem().string());
-}
-
 std::optional<std::string> check_form(const Options& options) {
-  const char* const form = options.binary ? "--binary" : "--header";
-  if (!options.binary && !options.header) return std::nullopt;
+  const char* const form = options.binary   ? "--binary"
+                           : options.header ? "--header"
+                           : options.report ? "--report"
+                                            : nullptr;
+  if (form == nullptr) return std::nullopt;
   if (options.to != "postfix") {
     return fmt::format("{}: only postfix has a binary form", form);
   }
   if (options.binary && options.header) {
     return "--header: the bytes or an array of them, not both";
   }
-  const bool to_terminal = options.binary && to_standard_output(options) &&
+  const bool to_terminal = options.binary && !options.report &&
+                           to_standard_output(options) &&
                            ::isatty(STDOUT_FILENO) != 0;
   if (to_terminal) return "--binary: a terminal cannot show it";
   return std::nullopt;
+}
+
+/// What was lowered and proved, in the form that is asked for.
+int deliver(const Program& program, const std::string& text,
+            const Options& options) {
+  if (options.report) {
+    DiagnosticList known;  // it has been lowered before
+    const auto bytes = lower_to_postfix_binary(program, known);
+    if (!bytes || !print_out(controller_report(*bytes))) return kExitUsage;
+    if (options.output.empty()) return 0;
+  }
+  return write_lowered(
+      options, options.header ? controller_header(text, options) : text);
 }
 
 }  // namespace
@@ -140,9 +146,7 @@ int run_lower(const Options& options) {
           ? validate_written(*loaded.program, *written, options)
           : validate_translation(*loaded.program, written->text, options);
   if (validation.status != 0) return refuse(validation);
-  return write_lowered(options, options.header
-                                    ? header_of(written->text, options)
-                                    : written->text);
+  return deliver(*loaded.program, written->text, options);
 }
 
 }  // namespace rung

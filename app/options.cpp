@@ -299,6 +299,9 @@ void add_commands(CLI::App& app, RawOptions& raw, Options& options) {
                   "postfix: the bytes that a controller executes");
   lower->add_flag("--header", options.header,
                   "postfix: these bytes as an array that a sketch includes");
+  lower->add_flag("--report", options.report,
+                  "postfix: what it takes on a controller; written is only "
+                  "what --output names");
   CLI::App* to_checker = add_command(
       app, "export", "what is to be proved, for other model checkers");
   add_files(to_checker, options, 1, 1);

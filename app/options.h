@@ -61,6 +61,7 @@ struct Options {
   std::string to;
   bool binary = false;
   bool header = false;
+  bool report = false;
   std::string output;
   std::string stimulus;
   std::optional<std::uint64_t> scans;

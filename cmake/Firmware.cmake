@@ -41,6 +41,24 @@ set(firmware_uno avr atmega328p 380)
 set(firmware_yun avr atmega32u4 500)
 set(firmware_arm arm cortex-m3 0)
 
+set(firmware_avr_flags -DF_CPU=16000000UL -flto -fno-threadsafe-statics
+  -DRUNG_TAPE_BYTES=16384 -Wl,--defsym=__TEXT_REGION_LENGTH__=32768)
+
+# rung_avr_firmware(FILE BOARD SOURCE...): the machine and SOURCEs, without the
+# Arduino core, for uno or yun.
+function(rung_avr_firmware file board)
+  list(GET firmware_${board} 1 mcu)
+  list(GET firmware_${board} 2 memory_words)
+  add_custom_command(OUTPUT ${file}
+    COMMAND ${RUNG_AVR_CXX} -mmcu=${mcu} ${firmware_avr_flags}
+      -DRUNG_MEMORY_WORDS=${memory_words} -std=gnu++11 -Os -fno-exceptions
+      -fno-rtti ${firmware_warnings} -I${runtime_dir} ${ARGN}
+      ${machine_sources} -o ${file}
+    DEPENDS ${ARGN} ${machine_sources} ${firmware_headers}
+    COMMENT "Firmware ${file}"
+    COMMAND_EXPAND_LISTS VERBATIM)
+endfunction()
+
 # rung_replay_firmware(FILE BOARD [FLAG...]): the replay for uno, yun or arm as
 # an image in the build directory; FLAGs serve tests that break it.
 function(rung_replay_firmware file board)
@@ -50,10 +68,8 @@ function(rung_replay_firmware file board)
   set(sources ${firmware_dir}/replay.cpp ${firmware_dir}/board_${family}.cpp
     ${machine_sources})
   if(family STREQUAL avr)
-    set(command ${RUNG_AVR_CXX} -mmcu=${mcu} -DF_CPU=16000000UL -flto
-      -fno-threadsafe-statics -DRUNG_TAPE_BYTES=16384
-      -DRUNG_MEMORY_WORDS=${memory_words}
-      -Wl,--defsym=__TEXT_REGION_LENGTH__=32768)
+    set(command ${RUNG_AVR_CXX} -mmcu=${mcu} ${firmware_avr_flags}
+      -DRUNG_MEMORY_WORDS=${memory_words})
   else()
     set(command ${RUNG_ARM_CXX} -mcpu=${mcu} -mthumb -ffreestanding -nostdlib
       -fno-asynchronous-unwind-tables -fno-tree-loop-distribute-patterns

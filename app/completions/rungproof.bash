@@ -47,7 +47,7 @@ _rungproof() {
         case $command in
           prove) common+=" --sweep --replay-on" ;;
           equiv) common+=" --rung --delay --settled --git" ;;
-          lower) common+=" --to --output --binary --header" ;;
+          lower) common+=" --to --output --binary --header --report" ;;
           export) common+=" --to --output" ;;
           run) common+=" --stimulus --scans --dt --out" ;;
           render) common+=" --ascii" ;;

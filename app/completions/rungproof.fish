@@ -47,6 +47,7 @@ complete -c rungproof -n '__fish_seen_subcommand_from lower' -l to -x -a 'postfi
 complete -c rungproof -n '__fish_seen_subcommand_from lower' -s o -l output -r -F -d 'the file to write'
 complete -c rungproof -n '__fish_seen_subcommand_from lower' -l binary -d 'the bytes that a controller executes'
 complete -c rungproof -n '__fish_seen_subcommand_from lower' -l header -d 'these bytes as an array'
+complete -c rungproof -n '__fish_seen_subcommand_from lower' -l report -d 'what it takes on a controller'
 complete -c rungproof -n '__fish_seen_subcommand_from export' -l to -x -a 'aiger btor2 chc' -d 'the format'
 complete -c rungproof -n '__fish_seen_subcommand_from export' -s o -l output -r -F -d 'the file to write'
 complete -c rungproof -n '__fish_seen_subcommand_from run' -l stimulus -r -F -d 'inputs, scan by scan (CSV)'
