@@ -236,12 +236,9 @@ void Link::finish_upload() {
   state_ = State::Idle;
   uint8_t* const program = spare();
   // The header's own checksum is the upload's: verifying shows it to be true.
-  Refusal refusal = Refusal::TooShort;
-  uint32_t place = 0;
-  if (length_ >= kHeaderBytes && get32(program + kAtChecksum) != checksum_) {
-    refusal = Refusal::BadChecksum;
-    place = kAtChecksum;
-  } else if (length_ >= kHeaderBytes) {
+  Refusal refusal = Refusal::BadChecksum;
+  uint32_t place = kAtChecksum;
+  if (length_ < kHeaderBytes || get32(program + kAtChecksum) == checksum_) {
     refusal = target_.run(program, length_, Space::Ram, clear_);
     place = target_.refused_at();
   }

@@ -25,10 +25,13 @@ Store::Store(Storage& storage)
       program_(nullptr),
       length_(0),
       at_(0),
+      sequence_(0),
       header_(),
+      banks_(),
       active_(kNoBank),
       target_(0),
-      phase_(Phase::Idle) {}
+      phase_(Phase::Idle),
+      found_(false) {}
 
 uint16_t Store::capacity() const {
   const uint16_t size = storage_.size();
@@ -41,49 +44,72 @@ uint16_t Store::bank_start(uint8_t bank) const {
   return static_cast<uint16_t>(kUnused + (bank == 0 ? 0 : bank_bytes));
 }
 
-uint32_t Store::sequence(uint8_t bank) const {
-  uint8_t bytes[4];
-  for (uint8_t i = 0; i != 4; ++i) {
-    bytes[i] = storage_.read(
-        static_cast<uint16_t>(bank_start(bank) + kAtSequence + i));
-  }
-  return get32(bytes);
-}
-
-// 0: the bank is not whole.
-uint16_t Store::valid_length(uint8_t bank) const {
+void Store::read_header(uint8_t bank, uint8_t* header) const {
   const uint16_t start = bank_start(bank);
-  uint8_t header[kBankHeader];
-  if (capacity() == 0) return 0;
-  for (uint8_t i = 0; i != kBankHeader; ++i) {
+  for (uint8_t i = 0; i != kHeader; ++i) {
     header[i] = storage_.read(static_cast<uint16_t>(start + i));
   }
+}
+
+bool Store::whole(uint8_t bank) const {
+  const uint16_t start = bank_start(bank);
+  if (capacity() == 0) return false;
+  if (storage_.read(static_cast<uint16_t>(start + kAtMark)) != kWhole) {
+    return false;
+  }
+  uint8_t header[kHeader];
+  read_header(bank, header);
   const uint16_t length = get16(header + kAtLength);
-  if (header[kAtMark] != kWhole || length > capacity()) return 0;
+  if (length > capacity()) return false;
   uint32_t crc = kCrcStart;
   for (uint8_t i = 0; i != kAtCrc; ++i) crc = crc_add(crc, header[i]);
   for (uint16_t i = 0; i != length; ++i) {
     crc = crc_add(
         crc, storage_.read(static_cast<uint16_t>(start + kBankHeader + i)));
   }
-  return ~crc == get32(header + kAtCrc) ? length : 0;
+  return ~crc == get32(header + kAtCrc);
 }
 
-uint8_t Store::bank_of(uint8_t age) const {
-  const bool first = valid_length(0) != 0;
-  const bool second = valid_length(1) != 0;
-  if (!first && !second) return kNoBank;
-  uint8_t newest = first ? 0 : 1;
+// Once: it takes a pass over all of the storage, too long between two scans.
+void Store::find() {
+  if (found_) return;
+  found_ = true;
+  uint32_t sequences[2] = {0, 0};
+  for (uint8_t bank = 0; bank != 2; ++bank) {
+    banks_[bank] = kNoBank;
+    uint8_t header[kHeader];
+    if (!whole(bank)) continue;
+    read_header(bank, header);
+    banks_[bank] = bank;
+    sequences[bank] = get32(header + kAtSequence);
+  }
   // The numbers follow one another, so that half a turn tells which is newer.
-  if (first && second && sequence(1) - sequence(0) < 0x80000000U) newest = 1;
-  if (age == 0) return newest;
-  return first && second ? static_cast<uint8_t>(1 - newest) : kNoBank;
+  const bool second_newer =
+      banks_[1] != kNoBank &&
+      (banks_[0] == kNoBank || sequences[1] - sequences[0] < 0x80000000U);
+  if (second_newer) {
+    banks_[1] = banks_[0];
+    banks_[0] = 1;
+  }
+  sequence_ = second_newer ? sequences[1] : sequences[0];
 }
 
-uint16_t Store::load(uint8_t age, uint8_t* to, uint16_t size) const {
-  const uint8_t bank = bank_of(age);
+void Store::forget(uint8_t bank) {
+  if (banks_[0] == bank) {
+    banks_[0] = banks_[1];
+    banks_[1] = kNoBank;
+  } else if (banks_[1] == bank) {
+    banks_[1] = kNoBank;
+  }
+}
+
+uint16_t Store::load(uint8_t age, uint8_t* to, uint16_t size) {
+  find();
+  const uint8_t bank = banks_[age];
   if (bank == kNoBank) return 0;
-  const uint16_t length = valid_length(bank);
+  uint8_t header[kHeader];
+  read_header(bank, header);
+  const uint16_t length = get16(header + kAtLength);
   if (length > size) return 0;
   const uint16_t from = static_cast<uint16_t>(bank_start(bank) + kBankHeader);
   for (uint16_t i = 0; i != length; ++i) {
@@ -92,26 +118,50 @@ uint16_t Store::load(uint8_t age, uint8_t* to, uint16_t size) const {
   return length;
 }
 
-void Store::use(uint8_t age) { active_ = bank_of(age); }
+void Store::use(uint8_t age) {
+  find();
+  active_ = banks_[age];
+}
 
 void Store::begin(const uint8_t* program, uint16_t length) {
-  const uint8_t newest = bank_of(0);
-  const uint8_t keep = active_ != kNoBank ? active_ : newest;
+  find();
+  const uint8_t keep = active_ != kNoBank ? active_ : banks_[0];
   target_ = keep == 0 ? 1 : 0;
+  forget(target_);
   program_ = program;
   length_ = length;
-  put32(header_ + kAtSequence, newest == kNoBank ? 1 : sequence(newest) + 1);
+  put32(header_ + kAtSequence, sequence_ + 1);
   put16(header_ + kAtLength, length);
+  // Of the program it is computed as it is written.
   uint32_t crc = kCrcStart;
   for (uint8_t i = 0; i != kAtCrc; ++i) crc = crc_add(crc, header_[i]);
-  for (uint16_t i = 0; i != length; ++i) crc = crc_add(crc, program[i]);
-  put32(header_ + kAtCrc, ~crc);
+  put32(header_ + kAtCrc, crc);
   phase_ = Phase::Unmark;
 }
 
 // Of everything but the mark.
 uint8_t Store::wanted(uint16_t at) const {
   return at < kAtMark ? header_[at] : program_[at - kBankHeader];
+}
+
+// The program first, and then, with its CRC, what stands before it.
+void Store::write_next(uint16_t start) {
+  const uint8_t byte = wanted(at_);
+  const uint16_t place = static_cast<uint16_t>(start + at_);
+  // Equal bytes wear nothing.
+  if (storage_.read(place) != byte) storage_.write(place, byte);
+  if (at_ >= kBankHeader) {
+    uint32_t crc = crc_add(get32(header_ + kAtCrc), byte);
+    if (at_ + 1 == kBankHeader + length_) crc = ~crc;
+    put32(header_ + kAtCrc, crc);
+  }
+  ++at_;
+  if (at_ == kBankHeader + length_) {
+    at_ = 0;
+  } else if (at_ == kAtMark) {
+    at_ = 0;
+    phase_ = Phase::Verify;
+  }
 }
 
 Store::Progress Store::fail() {
@@ -129,17 +179,12 @@ Store::Progress Store::step() {
     case Phase::Unmark:
       if (storage_.read(mark) != kNotWhole) storage_.write(mark, kNotWhole);
       phase_ = Phase::Write;
-      at_ = 0;
+      at_ = kBankHeader;
       break;
     case Phase::Write:
-      // Before the first byte: a bank that still counts is not touched.
-      if (at_ == 0 && storage_.read(mark) == kWhole) return fail();
-      if (at_ != kAtMark && storage_.read(place) != wanted(at_)) {
-        storage_.write(place, wanted(at_));  // equal bytes wear nothing
-      }
-      if (++at_ != kBankHeader + length_) break;
-      phase_ = Phase::Verify;
-      at_ = 0;
+      // A bank that still counts is not touched.
+      if (storage_.read(mark) == kWhole) return fail();
+      write_next(start);
       break;
     case Phase::Verify:
       if (at_ != kAtMark && storage_.read(place) != wanted(at_)) return fail();
@@ -151,6 +196,9 @@ Store::Progress Store::step() {
       break;
     default:
       if (storage_.read(mark) != kWhole) return fail();
+      banks_[1] = banks_[0];
+      banks_[0] = target_;
+      ++sequence_;
       active_ = target_;
       phase_ = Phase::Idle;
       return Progress::Done;

@@ -39,7 +39,7 @@ class Store {
   /// Copies a whole program to `to` and says its length: the newest for
   /// `age` 0, the one before for 1; 0 when there is none, or none that `size`
   /// bytes hold.
-  uint16_t load(uint8_t age, uint8_t* to, uint16_t size) const;
+  uint16_t load(uint8_t age, uint8_t* to, uint16_t size);
   /// That program runs: the next one goes into the other bank.
   void use(uint8_t age);
 
@@ -53,22 +53,28 @@ class Store {
  private:
   enum class Phase : uint8_t { Idle, Unmark, Write, Verify, Mark, Marked };
   static const uint8_t kNoBank = 2;
+  static const uint8_t kHeader = 10;  // in front of the mark
 
   uint16_t bank_start(uint8_t bank) const;
-  uint32_t sequence(uint8_t bank) const;
-  uint16_t valid_length(uint8_t bank) const;
-  uint8_t bank_of(uint8_t age) const;
+  void read_header(uint8_t bank, uint8_t* header) const;
+  bool whole(uint8_t bank) const;
+  void find();
+  void forget(uint8_t bank);
   uint8_t wanted(uint16_t at) const;
+  void write_next(uint16_t start);
   Progress fail();
 
   Storage& storage_;
   const uint8_t* program_;
   uint16_t length_;
   uint16_t at_;
-  uint8_t header_[10];
-  uint8_t active_;  // the bank whose program runs
-  uint8_t target_;  // the bank that is written
+  uint32_t sequence_;  // of the newest
+  uint8_t header_[kHeader];
+  uint8_t banks_[2];  // by age, once they were found
+  uint8_t active_;    // the bank whose program runs
+  uint8_t target_;    // the bank that is written
   Phase phase_;
+  bool found_;
 };
 
 }  // namespace rungproof

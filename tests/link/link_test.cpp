@@ -84,6 +84,10 @@ TEST(Link, RunsTheOlderProgramWhereTheNewestIsRefused) {
   EXPECT_EQ(upload(after, invert_program()).answer, code(Answer::Ack));
   EXPECT_EQ(EmulatedController(copy_program(), &eeprom).running(),
             invert_program());
+  std::string older(256, '\0');
+  older.resize(rungproof::Store(eeprom).load(
+      1, reinterpret_cast<std::uint8_t*>(older.data()), 256));
+  EXPECT_EQ(older, copy_program());
 }
 
 TEST(Link, CommitIsBusyUntilTheProgramIsStored) {
@@ -242,6 +246,49 @@ TEST(Link, RefusesDataBeyondTheEnd) {
   const Reply commit = ask(controller, upload_requests(program).back());
   EXPECT_EQ(commit.answer, code(Answer::Refused));
   EXPECT_EQ(commit.body[0], 1);  // too short
+}
+
+TEST(Link, CommitsOnlyWhatWasBegunAndHasCome) {
+  const std::string program = invert_program();
+  const auto requests = upload_requests(program);
+  EmulatedController controller(copy_program(), nullptr);
+  ask(controller, requests[0]);
+  ask(controller, requests[1]);
+  EXPECT_EQ(ask(controller, requests.back()).answer, code(Answer::Incomplete));
+  ask(controller, requests[2]);  // it may go on
+  EXPECT_EQ(ask(controller, request(Command::Commit, checksum(copy_program())))
+                .answer,
+            code(Answer::NoUpload));
+  EXPECT_EQ(controller.running(), copy_program());
+  EXPECT_EQ(ask(controller, requests.back()).answer, code(Answer::Ack));
+  EXPECT_EQ(controller.running(), program);
+}
+
+TEST(Link, RefusesAnotherProgramThanTheOneThatWasBegun) {
+  const std::string other = checksum(copy_program());
+  EmulatedController controller(copy_program(), nullptr);
+  ask(controller,
+      request(Command::Begin, number(60) + other + std::string(1, '\0')));
+  const auto requests = upload_requests(invert_program());
+  for (std::size_t i = 1; i + 1 < requests.size(); ++i) {
+    EXPECT_EQ(ask(controller, requests[i]).answer, code(Answer::Ack));
+  }
+  const Reply reply = ask(controller, request(Command::Commit, other));
+  EXPECT_EQ(reply.answer, code(Answer::Refused));
+  EXPECT_EQ(reply.body, "\5" + number(12));
+  EXPECT_EQ(controller.running(), copy_program());
+}
+
+TEST(Link, TakesNoByteWhileARequestWaits) {
+  EmulatedController controller(copy_program(), nullptr);
+  const std::string all =
+      request(Command::Hello, "", '\1') + request(Command::Status, "", '\2');
+  for (const char byte : all) {
+    controller.link().receive(static_cast<std::uint8_t>(byte));
+  }
+  const auto found = contents(controller.exchange(""));
+  ASSERT_EQ(found.size(), 1U);
+  EXPECT_EQ(found[0].substr(0, 2), "\1\x81");
 }
 
 TEST(Link, AnAnswerIsNotAnswered) {

@@ -34,7 +34,7 @@ Progress write(Store& store, const Eeprom& eeprom, const Bytes& bytes) {
 
 Bytes loaded(const Eeprom& eeprom, std::uint8_t age = 0) {
   Eeprom copy = eeprom;
-  const Store store(copy);
+  Store store(copy);
   Bytes bytes(kSize);
   bytes.resize(store.load(age, bytes.data(), kSize));
   return bytes;
@@ -163,6 +163,25 @@ TEST(Store, SaysWhereACellIsWornOut) {
   }
 }
 
+TEST(Store, KnowsWhatItHasWritten) {
+  Eeprom eeprom(kSize);
+  Store store(eeprom);
+  const auto holds = [&store](std::uint8_t age, const Bytes& wanted) {
+    Bytes bytes(kSize);
+    bytes.resize(store.load(age, bytes.data(), kSize));
+    return bytes == wanted;
+  };
+  for (std::uint8_t i = 1; i < 5; ++i) {
+    write(store, eeprom, program(i, 20));
+    EXPECT_TRUE(holds(0, program(i, 20)));
+    EXPECT_TRUE(holds(1, i == 1 ? Bytes() : program(i - 1, 20)));
+  }
+  eeprom.wear_out(15);
+  EXPECT_EQ(write(store, eeprom, program(6, 20)), Progress::Failed);
+  EXPECT_TRUE(holds(0, program(4, 20)));
+  EXPECT_TRUE(holds(1, Bytes()));
+}
+
 TEST(Store, TouchesNothingWhereTheMarkStays) {
   Eeprom eeprom(kSize);
   Store store(eeprom);
@@ -184,6 +203,9 @@ TEST(Store, LeavesAloneTheBankOfWhatRuns) {
   write(after, eeprom, program(3, 20));
   EXPECT_EQ(loaded(eeprom), program(3, 20));
   EXPECT_EQ(loaded(eeprom, 1), program(1, 20));
+  write(after, eeprom, program(4, 20));
+  EXPECT_EQ(loaded(eeprom), program(4, 20));
+  EXPECT_EQ(loaded(eeprom, 1), program(3, 20));
 }
 
 TEST(Store, NumbersGoRound) {
