@@ -250,8 +250,10 @@ bool LinkClient::upload(const std::string& program, bool clear,
   const auto length = static_cast<std::uint32_t>(program.size());
   const std::string body = frame_number(length) + checksum_of(program) +
                            std::string(1, clear ? '\1' : '\0');
-  return accepted(ask(Command::Begin, body), program) &&
-         send_pieces(program, progress) && commit(program);
+  return accepted(ask_until_free(Command::Begin, body), program) &&
+         send_pieces(program, progress) &&
+         accepted(ask_until_free(Command::Commit, checksum_of(program)),
+                  program);
 }
 
 bool LinkClient::send_pieces(const std::string& program,
@@ -273,13 +275,15 @@ bool LinkClient::send_pieces(const std::string& program,
   return true;
 }
 
-bool LinkClient::commit(const std::string& program) {
+/// While a program is being stored, nothing else can be begun.
+std::optional<BoardAnswer> LinkClient::ask_until_free(Command command,
+                                                      std::string_view body) {
   const auto end = Clock::now() + kStoring;
   for (;;) {
-    const auto answer = ask(Command::Commit, checksum_of(program));
+    auto answer = ask(command, body);
     const bool busy = answer && answer->answer == Answer::Busy;
-    if (!busy || Clock::now() > end) return accepted(answer, program);
-    if (!receive(kBusyMs)) return false;
+    if (!busy || Clock::now() > end) return answer;
+    if (!receive(kBusyMs)) return std::nullopt;
   }
 }
 

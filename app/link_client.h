@@ -69,7 +69,8 @@ class LinkClient {
                                        std::uint8_t command, int milliseconds);
   bool send_pieces(const std::string& program,
                    const std::function<void(std::size_t)>& progress);
-  bool commit(const std::string& program);
+  std::optional<BoardAnswer> ask_until_free(rungproof::Command command,
+                                            std::string_view body);
   bool accepted(const std::optional<BoardAnswer>& answer,
                 const std::string& program);
 

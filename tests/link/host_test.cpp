@@ -151,6 +151,21 @@ TEST_F(Host, SaysWhatDoesNotFit) {
   EXPECT_EQ(narrow.running(), copy_program());
 }
 
+TEST_F(Host, WaitsWhereAnotherProgramIsBeingStored) {
+  Eeprom eeprom(512);
+  eeprom.slow_down(3);
+  EmulatedController controller(copy_program(), &eeprom);
+  for (const std::string& item : upload_requests(copy_program())) {
+    ask(controller, item);
+  }
+  Served served(controller, Served::Wire::Terminal);
+  const Said said = run("upload -q invert.bin " + served.option());
+  EXPECT_EQ(said.status, 0) << said.text;
+  served.stop();
+  EXPECT_EQ(EmulatedController(copy_program(), &eeprom).running(),
+            invert_program());
+}
+
 TEST_F(Host, SaysWhatIsNotStored) {
   Eeprom eeprom(512);
   eeprom.wear_out(30);
