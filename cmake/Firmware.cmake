@@ -116,3 +116,18 @@ function(rung_arduino_sketch file board)
       ${firmware_headers}
     COMMENT "Sketch ${file}" VERBATIM)
 endfunction()
+
+# rung_arm_sketch(FILE CORE SOURCE): a sketch and the library for a Cortex-M3,
+# as one object file; CORE is a folder with an Arduino.h, of which Debian has
+# none for ARM.
+function(rung_arm_sketch file core source)
+  file(GLOB library CONFIGURE_DEPENDS ${runtime_dir}/*.cpp)
+  add_custom_command(OUTPUT ${file}
+    COMMAND ${RUNG_ARM_CXX} -mcpu=cortex-m3 -mthumb -ffreestanding -nostdlib
+      -DARDUINO=10819 -std=gnu++11 -Os -fno-exceptions -fno-rtti
+      -fno-threadsafe-statics ${firmware_warnings} -I${runtime_dir} -I${core}
+      -include Arduino.h -x c++ ${source} ${library} -Wl,-r -o ${file}
+    DEPENDS ${source} ${library} ${firmware_headers} ${core}/Arduino.h
+    COMMENT "Sketch ${file}"
+    COMMAND_EXPAND_LISTS VERBATIM)
+endfunction()

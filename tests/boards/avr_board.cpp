@@ -11,6 +11,7 @@
 #include <cstdarg>
 #include <cstdlib>
 #include <deque>
+#include <map>
 #include <utility>
 
 // libsimavr keeps what it has allocated for a board's lines and an ELF file.
@@ -77,6 +78,7 @@ struct AvrBoard::Impl {
   std::string error;
   Serial serial;
   std::deque<WatchedPin> pins;  // their addresses stay
+  std::map<char, avr_ioport_external_t> outside;
 
   Impl(const std::string& mcu, const std::string& elf_path) {
     avr_global_logger_set(say_nothing);
@@ -198,7 +200,17 @@ std::span<std::uint8_t> AvrBoard::data() {
   return {impl_->avr->data, std::size_t{impl_->avr->ramend} + 1};
 }
 
+// What drives a pin is stronger than its pull-up resistor, which libsimavr
+// would else take for the level whenever the port is written.
 void AvrBoard::drive(Pin pin, bool level) {
+  avr_ioport_external_t& outside = impl_->outside[pin.port];
+  const unsigned bit = 1U << static_cast<unsigned>(pin.bit);
+  outside.name = static_cast<unsigned char>(pin.port) & 0x7fU;
+  outside.mask = (outside.mask | bit) & 0xffU;
+  outside.value = (level ? outside.value | bit : outside.value & ~bit) & 0xffU;
+  avr_ioctl(impl_->avr,
+            AVR_IOCTL_IOPORT_SET_EXTERNAL(static_cast<unsigned>(pin.port)),
+            &outside);
   avr_raise_irq(impl_->irq(pin), level ? 1 : 0);
 }
 

@@ -25,8 +25,8 @@ const std::map<std::string, std::set<std::string>>& allowed() {
       {"reports", {"base", "analysis"}},
       {"runtime", {}},
       {"app",
-       {"base", "frontend", "analysis", "smt", "backend", "boards",
-        "reports", "runtime"}},
+       {"base", "frontend", "analysis", "smt", "backend", "boards", "reports",
+        "runtime"}},
       {"check", {"base", "analysis", "app"}},
   };
   return table;
