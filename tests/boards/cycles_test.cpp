@@ -8,9 +8,12 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
+#include <cstdio>
 #include <cstdlib>
 #include <iostream>
 #include <map>
+#include <sstream>
 
 #include "avr_board.h"
 #include "backend/postfix/cost.h"
@@ -315,6 +318,44 @@ TEST(ScanCyclesOfPrograms, AHundredRungsTakeAtMostFourMilliseconds) {
   EXPECT_LE(taken.scan, 40'000U);  // 2.5 ms; what is asked for is 4 ms
   std::cout << longest->name << " to 100 rungs: " << taken.scan
             << " cycles, verified in " << taken.verify << "\n";
+}
+
+/// Bytes of sections, as avr-size counts them.
+std::uint64_t section_bytes(const std::string& image,
+                            const std::string& section) {
+  const std::string command =
+      "avr-size -A " RUNG_FIRMWARE_DIR "/" + image + ".elf";
+  std::FILE* const pipe = ::popen(command.c_str(), "r");
+  if (pipe == nullptr) return 0;
+  std::array<char, 256> line{};
+  std::uint64_t bytes = 0;
+  while (std::fgets(line.data(), line.size(), pipe) != nullptr) {
+    std::istringstream words{std::string(line.data())};
+    std::string name;
+    std::uint64_t size = 0;
+    if (words >> name >> size && name == section) bytes = size;
+  }
+  ::pclose(pipe);
+  return bytes;
+}
+
+// docs/controllers.md has the figures. The firmware is machine, loader, and a
+// place of 16 KB for a program; the sketch has the Arduino core, whose own
+// variables are 9 bytes, and a program of 3 words.
+TEST(FirmwareSize, OfMachineAndLoader) {
+  const std::uint64_t text = section_bytes("cycles-uno", ".text");
+  ASSERT_GT(text, 16'404U);
+  EXPECT_LE(text - 16'404, 8'200U);
+}
+
+TEST(FirmwareSize, OfMemoryBesideTheImage) {
+  const std::uint64_t machine = section_bytes("cycles-uno", ".bss");
+  ASSERT_GT(machine, 4U * 380);
+  EXPECT_LE(machine - 4 * 380, 36U);
+  const std::uint64_t sketch = section_bytes("StartStop-uno", ".bss") +
+                               section_bytes("StartStop-uno", ".data");
+  ASSERT_GT(sketch, 9U + 12);
+  EXPECT_LE(sketch - 9 - 12, 64U);
 }
 
 }  // namespace
