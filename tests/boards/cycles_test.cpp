@@ -264,7 +264,7 @@ INSTANTIATE_TEST_SUITE_P(Boards, ScanCycles,
                          testing::Values("atmega328p", "atmega32u4"));
 
 TEST(ScanCyclesOfBits, AreAtMost24) {
-  for (const unsigned opcode : {0x03, 0x04, 0x05, 0x06, 0x07, 0x08}) {
+  for (const unsigned opcode : {0x03U, 0x04U, 0x05U, 0x06U, 0x07U, 0x08U}) {
     const std::uint32_t cycles =
         avr_cycles(static_cast<std::uint8_t>(opcode), false);
     EXPECT_GT(cycles, 0U) << opcode;
