@@ -75,9 +75,10 @@ TEST(PostfixFormat, OperatorsAreThoseOfTheMachine) {
     EXPECT_EQ(entry->bits_in, shape & rungproof::kShapeBitsIn) << opcode;
     EXPECT_EQ(entry->words_in, (shape & rungproof::kShapeWordsIn) >> 2)
         << opcode;
+    const unsigned taken = rungproof::kShapeBitsIn | rungproof::kShapeWordsIn;
     EXPECT_EQ(
         entry->word_out ? rungproof::kShapeWordOut : rungproof::kShapeBitOut,
-        shape & ~(rungproof::kShapeBitsIn | rungproof::kShapeWordsIn))
+        shape & ~taken)
         << opcode;
   }
 }
