@@ -225,7 +225,10 @@ class Comparison {
     const std::uint64_t taken = b.scan - a.scan;
     const std::uint64_t bound = bound_two - bound_one;
     EXPECT_LE(taken, bound) << text;
-    note(family.evaluation + " " + instruction_of(text), bound, taken);
+    const std::string& cells = family.declarations;  // the last is an element
+    note(family.evaluation + cells.substr(cells.rfind(' ')) +
+             instruction_of(text),
+         bound, taken);
     note("a scan", bound_one - bound, a.scan - taken);
     if (!print_cycles()) return;
     std::cout << mcu_ << " `" << text << "`: " << taken << " of " << bound
