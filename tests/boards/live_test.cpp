@@ -186,22 +186,30 @@ std::string damaged(std::string bytes, std::mt19937& random) {
   return bytes;
 }
 
+/// Uploads whose every frame may be damaged, and one is: so none may succeed.
 TEST(LiveBoard, DamagedFrames) {
-  constexpr std::uint64_t kAfter = 3000;
+  constexpr std::uint64_t kAfter = 6000;
   std::mt19937 random(8);
   LinkedBoard linked(kUno);
   const std::vector<std::string> requests = upload_requests(invert_pins());
   int sent = 0;
-  while (sent < frames()) {
-    const std::string& whole = requests[random() % requests.size()];
-    const std::string bytes = damaged(whole, random);
-    if (contents(bytes + '\0') == contents(whole)) continue;
-    linked.exchange(bytes, kAfter);
-    if (++sent % 250 == 0) {
-      ASSERT_TRUE(linked.runs(copy_pins())) << sent;
-      linked.expect_whole();
+  for (int round = 0; sent < frames(); ++round) {
+    const std::size_t lost = random() % requests.size();
+    linked.exchange(request(Command::Abort, ""), kAfter);
+    for (std::size_t i = 0; i < requests.size(); ++i) {
+      std::string bytes = requests[i];
+      while ((i == lost || random() % 4 != 0) &&
+             contents(bytes + '\0') == contents(requests[i])) {
+        bytes = damaged(requests[i], random);
+      }
+      if (contents(bytes + '\0') != contents(requests[i])) ++sent;
+      linked.exchange(bytes, kAfter);
     }
+    if (round % 100 != 0) continue;
+    ASSERT_TRUE(linked.runs(copy_pins())) << round;
+    linked.expect_whole();
   }
+  ASSERT_TRUE(linked.runs(copy_pins()));
   EXPECT_EQ(linked.upload(invert_pins()).answer, static_cast<int>(Answer::Ack));
   linked.expect_whole();
 }
