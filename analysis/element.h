@@ -85,6 +85,9 @@ struct ElementKind {
   std::string_view done = {};   // .q
   std::string_view value = {};  // .elapsed of timers, .value of counters
   bool keeps = false;  // of a timer: nothing but its reset operation clears it
+  /// The kind that it is where the controller's clock rolls over; empty: it has
+  /// no clock, or one that does not.
+  std::string_view rollover = {};
 
   bool is_in(std::string_view wanted) const;
 };

@@ -52,6 +52,27 @@ constexpr std::array<ElementOperation, 2> kTimerYunOperations = {{
      .opcode = 0x41},
 }};
 
+// The listing subtracts two readings of millis(), 32 bits wide, so that a timer
+// that nobody resets begins anew after 49.7 days.
+constexpr std::array<ElementUpdate, 2> kTimerYunRolloverStart = {{
+    {"elapsed",
+     "v && !started ? 0 : "
+     "(elapsed < 4294967296 ? elapsed : elapsed - 4294967296)"},
+    {"started", "started || v"},
+}};
+constexpr std::array<ElementOperation, 2> kTimerYunRolloverOperations = {{
+    {.name = "T",
+     .parameters = kTimerParameters,
+     .updates = kTimerYunRolloverStart,
+     .result = "v && elapsed' > p",
+     .rounding = SecondsRounding::Floor},
+    {.name = "TR",
+     .parameters = kResetParameters,
+     .updates = kTimerYunReset,
+     .result = "v",
+     .resets = true},
+}};
+
 // --- timers, sim dialect -----------------------------------------------------
 
 constexpr std::array<ElementState, 2> kTimerSimStates = {{
@@ -182,7 +203,7 @@ constexpr std::array<ElementOperation, 2> kEdgeOperations = {{
      .opcode = 0x51},
 }};
 
-constexpr std::array<ElementKind, 6> kScriptKinds = {{
+constexpr std::array<ElementKind, 7> kScriptKinds = {{
     {.id = "timer-yun",
      .letter = "T",
      .dialect = "yun",
@@ -192,6 +213,19 @@ constexpr std::array<ElementKind, 6> kScriptKinds = {{
      .source = "Sensors and Materials 32(12), 2020, section 2.1",
      .states = kTimerYunStates,
      .operations = kTimerYunOperations,
+     .done = "started && elapsed > p",
+     .value = "elapsed",
+     .keeps = true,
+     .rollover = "timer-yun-rollover"},
+    {.id = "timer-yun-rollover",
+     .letter = "T",
+     .dialect = "yun-rollover",
+     .family = ElementFamily::Timer,
+     .summary = "The timer of `yun` on a clock of 32 bits: after 49.7 days its "
+                "time begins anew.",
+     .source = "Sensors and Materials 32(12), 2020, section 2.1",
+     .states = kTimerYunStates,
+     .operations = kTimerYunRolloverOperations,
      .done = "started && elapsed > p",
      .value = "elapsed",
      .keeps = true},

@@ -27,6 +27,29 @@ bool timer_yun(SimulatedElement& e, std::int64_t parameter, bool v,
   return reached(t, parameter + 1, clock) && v;
 }
 
+/// unsigned long millis(), and what the listings subtract from it.
+std::uint32_t millis(std::int64_t now) {
+  return static_cast<std::uint32_t>(now);
+}
+std::int64_t millis_since(std::int64_t t0, std::int64_t now) {
+  return static_cast<std::uint32_t>(millis(now) - millis(t0));
+}
+constexpr std::int64_t kRollover = std::int64_t{1} << 32;
+
+// The same as it runs on the controller: `t` is an unsigned long.
+bool timer_yun_rollover(SimulatedElement& e, std::int64_t parameter, bool v,
+                        ElementClock& clock) {
+  if (v && !e.started) {
+    e.t0 = clock.now;
+    e.started = true;
+  }
+  const std::int64_t t = millis_since(e.t0, clock.now);
+  if (e.started) {
+    clock.next_event = std::min(clock.next_event, kRollover - t);
+  }
+  return reached(t, parameter + 1, clock) && v;
+}
+
 // bool TR(int n, bool v)
 bool timer_yun_reset(SimulatedElement& e, bool v) {
   if (v) e.started = false;
@@ -112,7 +135,15 @@ std::int64_t count_step(E& e, const In& in, ElementClock& /*clock*/) {
   return counter_yun(e, in.parameter, in.bit(0)) ? 1 : 0;
 }
 
-constexpr std::array<SimulatedOperation, 10> kOperations = {{
+constexpr std::array<SimulatedOperation, 12> kOperations = {{
+    {"timer-yun-rollover", "T",
+     [](E& e, const In& in, ElementClock& clock) -> std::int64_t {
+       return timer_yun_rollover(e, in.parameter, in.bit(0), clock) ? 1 : 0;
+     }},
+    {"timer-yun-rollover", "TR",
+     [](E& e, const In& in, ElementClock&) -> std::int64_t {
+       return timer_yun_reset(e, in.bit(0)) ? 1 : 0;
+     }},
     {"timer-yun", "T",
      [](E& e, const In& in, ElementClock& clock) -> std::int64_t {
        return timer_yun(e, in.parameter, in.bit(0), clock) ? 1 : 0;
@@ -152,7 +183,12 @@ constexpr std::array<SimulatedOperation, 10> kOperations = {{
 
 bool is_started(const E& e) { return e.started; }
 
-constexpr std::array<SimulatedShape, 5> kShapes = {{
+constexpr std::array<SimulatedShape, 6> kShapes = {{
+    {"timer-yun-rollover", is_started,
+     [](const E& e, std::int64_t preset, std::int64_t now) {
+       return e.started && millis_since(e.t0, now) > preset;
+     },
+     nullptr, true},
     {"timer-yun", is_started,
      [](const E& e, std::int64_t preset, std::int64_t now) {
        return e.started && now - e.t0 > preset;
@@ -227,7 +263,9 @@ bool is_running(const SimulatedShape* shape, const SimulatedElement& element) {
 
 std::int64_t elapsed_ms(const SimulatedShape* shape,
                         const SimulatedElement& element, std::int64_t now) {
-  if (is_running(shape, element)) return now - element.t0;
+  if (is_running(shape, element)) {
+    return shape->rolls_over ? millis_since(element.t0, now) : now - element.t0;
+  }
   return shape != nullptr && shape->kept != nullptr ? shape->kept(element) : 0;
 }
 

@@ -66,6 +66,8 @@ struct SimulatedShape {
   bool (*done)(const SimulatedElement& element, std::int64_t parameter,
                std::int64_t now) = nullptr;
   std::int64_t (*kept)(const SimulatedElement& element) = nullptr;
+  /// The clock is read as a number of 32 bits.
+  bool rolls_over = false;
 };
 
 /// What one dialect adds; simulator_elements.cpp lists them.

@@ -6,6 +6,7 @@
 #include <string>
 #include <string_view>
 
+#include "analysis/rollover.h"
 #include "frontend/recognise.h"
 
 namespace rung {
@@ -110,6 +111,24 @@ std::vector<std::string> notes_of(const Program& program) {
   return notes;
 }
 
+/// Timers on a clock of 32 bits. False: an error; some read it in a way that
+/// is not modelled.
+bool roll_over(const Input& input, const Ast& ast, Program& program,
+               FileReport& report, DiagnosticSink& sink) {
+  if (ast.dialect.starts_with("plclib")) {
+    sink.report(file_error(input.file, "RP076",
+                           "`--rollover`: how plcLib's timers behave when "
+                           "millis() begins anew is not modelled"));
+    return false;
+  }
+  report.semantics += "+rollover";
+  if (!use_rollover(program)) {
+    report.notes.emplace_back(
+        "`--rollover` changes nothing: no timer here reads a clock of 32 bits");
+  }
+  return true;
+}
+
 /// Reads, builds and binds the properties, as far as there are no errors.
 std::shared_ptr<Program> build(const Input& input, const Options& options,
                                const std::vector<AstAnnotation>& extra,
@@ -130,6 +149,9 @@ std::shared_ptr<Program> build(const Input& input, const Options& options,
   auto program =
       std::make_shared<Program>(build_program(ast, build_options, errors));
   if (errors.has_errors()) return nullptr;
+  if (options.rollover && !roll_over(input, ast, *program, report, errors)) {
+    return nullptr;
+  }
   report.properties = read_properties(*program, extra, sources, errors);
   if (errors.has_errors()) return nullptr;
   // The command line has the last word over `//@ scan` lines, and what counts
@@ -191,7 +213,9 @@ Loaded load(const Input& input, const Options& options,
   sort_diagnostics(loaded.report.findings);
   if (loaded.program) {
     loaded.report.program = loaded.program;
-    loaded.report.notes = notes_of(*loaded.program);
+    for (std::string& note : notes_of(*loaded.program)) {
+      loaded.report.notes.push_back(std::move(note));
+    }
   }
   return loaded;
 }

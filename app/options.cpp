@@ -180,6 +180,8 @@ void add_common(CLI::App& app, RawOptions& raw, Options& options) {
                  "what the language means, as a tool has it: yun, sim, iec...");
   app.add_flag("--stable-inputs", options.stable_inputs,
                "inputs do not change in a scan, also where each read samples");
+  app.add_flag("--rollover", options.rollover,
+               "the controller's clock of 32 bits begins anew after 49.7 days");
   app.add_option("--pou", options.pou,
                  "the unit that is the program (languages of IEC 61131-3)");
   app.add_option("--dialect", options.dialect, "of scripts: yun, sim");

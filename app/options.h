@@ -31,6 +31,7 @@ struct Options {
   std::string dialect;
   std::string language;
   bool stable_inputs = false;
+  bool rollover = false;  // millis() begins anew at 2^32
   std::string pou;
   bool sweep = false;     // prove
   std::string replay_on;  // prove: a board

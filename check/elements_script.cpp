@@ -34,6 +34,13 @@ Value timer_yun_reset(Element& e) {
   return v;
 }
 
+// The same where the clock has 32 bits: a call sees the time modulo 2^32.
+Value timer_yun_rollover(Element& e) {
+  constexpr std::int64_t kTurn = std::int64_t{1} << 32;
+  e[kElapsed] = choose(e[kElapsed] >= kTurn, e[kElapsed] - kTurn, e[kElapsed]);
+  return timer_yun(e);
+}
+
 // Sim: a false input sets the start to now, in every scan.
 Value timer_sim(Element& e) {
   const Value v = e.argument(0);
@@ -138,6 +145,8 @@ Value fall(Element& e) {
 
 constexpr std::array<Operation, 2> kTimerYun = {
     {{"T", timer_yun}, {"TR", timer_yun_reset, false}}};
+constexpr std::array<Operation, 2> kTimerYunRollover = {
+    {{"T", timer_yun_rollover}, {"TR", timer_yun_reset, false}}};
 constexpr std::array<Operation, 1> kTimerSim = {{{"T", timer_sim}}};
 constexpr std::array<Operation, 1> kOffDelay = {{{"TOF", off_delay}}};
 constexpr std::array<Operation, 3> kCounterYun = {
@@ -147,10 +156,15 @@ constexpr std::array<Operation, 3> kCounterYun = {
 constexpr std::array<Operation, 1> kCounterSim = {{{"C", counter_sim}}};
 constexpr std::array<Operation, 2> kEdge = {{{"RISE", rise}, {"FALL", fall}}};
 
-constexpr std::array<Kind, 6> kKinds = {{
-    {"timer-yun", kTimerStates, kTimerYun, is_started,
-     [](Element& e) { return e[kStarted] & (e[kElapsed] > e.preset()); },
+Value timer_yun_done(Element& e) {
+  return e[kStarted] & (e[kElapsed] > e.preset());
+}
+
+constexpr std::array<Kind, 7> kKinds = {{
+    {"timer-yun", kTimerStates, kTimerYun, is_started, timer_yun_done,
      kElapsed},
+    {"timer-yun-rollover", kTimerStates, kTimerYunRollover, is_started,
+     timer_yun_done, kElapsed},
     {"timer-sim", kTimerStates, kTimerSim, is_started,
      [](Element& e) { return e[kElapsed] >= e.preset(); }, kElapsed},
     {"timer-off-sim", kOffDelayStates, kOffDelay,

@@ -60,6 +60,7 @@ void add_options(CLI::App& app, Command& command) {
   app.add_option("--language", reading.language, "as for `rungproof prove`");
   app.add_option("--pou", reading.pou, "as for `rungproof prove`");
   app.add_option("--props", reading.props, "as for `rungproof prove`");
+  app.add_flag("--rollover", reading.rollover, "as for `rungproof prove`");
   app.add_flag("--stable-inputs", reading.stable_inputs,
                "as for `rungproof prove`");
   app.set_version_flag("--version", fmt::format("rungproof {}", kVersion));

@@ -32,7 +32,7 @@ struct FileReport {
   std::string path;
   std::string_view language;               // empty: not recognised
   std::string_view dialect;                // empty: the language has none
-  std::string_view semantics;              // the preset it was read with
+  std::string semantics;  // the preset it was read with; "+rollover"
   std::shared_ptr<const Program> program;  // null: input errors
   /// What the traces are runs of, where that is not `program`: of `equiv` both
   /// programs as one. Only the page draws it.

@@ -4,7 +4,7 @@
 _rungproof() {
   local current=${COMP_WORDS[COMP_CWORD]} previous=${COMP_WORDS[COMP_CWORD-1]}
   local commands="check lint prove equiv bound lower export run render rule upload monitor"
-  local common="--help --version --format --scan --semantics --stable-inputs --pou --dialect
+  local common="--help --version --format --scan --semantics --rollover --stable-inputs --pou --dialect
     --language --props --timeout --engine --jobs --fail-on --color --quiet
     --verbose --property --self-check --recheck --certificates --map
     --explain"
