@@ -74,6 +74,19 @@ std::optional<ProgramRun> random_program(std::uint64_t seed) {
   return run;
 }
 
+/// The same on a clock of 32 bits; no value without a timer on such a clock.
+std::optional<ProgramRun> random_rollover(std::uint64_t seed) {
+  std::optional<ProgramRun> run = random_program(seed);
+  if (!run) return run;
+  const std::vector<std::uint32_t> numbers = random_tape(seed + 1, kTapeLength);
+  Tape tape(numbers);
+  auto stimulus = rollover_stimulus(run->read.program, tape, kScans);
+  if (!stimulus) return std::nullopt;
+  run->name += ", clock of 32 bits";
+  run->stimulus = std::move(*stimulus);
+  return run;
+}
+
 ProgramRun edges(std::string_view operation) {
   ProgramRun run{
       "edge program",
@@ -178,6 +191,8 @@ std::vector<ProgramRun> mutant_runs(std::uint64_t count) {
   runs.push_back(wraps());
   for (std::uint64_t seed = 1; seed <= count; ++seed) {
     std::optional<ProgramRun> run = random_program(seed);
+    if (run) runs.push_back(std::move(*run));
+    run = random_rollover(seed);
     if (run) runs.push_back(std::move(*run));
     // There are many dialects, and each has its share of them.
     constexpr std::uint64_t kDialects = 8;

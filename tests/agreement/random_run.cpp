@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "analysis/rollover.h"
 #include "frontend/script/reader.h"
 
 namespace rung {
@@ -75,6 +76,20 @@ Stimulus random_stimulus(const Program& program, Tape& tape,
     step.inputs = sample;
     done += step.repeat;
     stimulus.steps.push_back(std::move(step));
+  }
+  return stimulus;
+}
+
+std::optional<Stimulus> rollover_stimulus(Program& program, Tape& tape,
+                                          std::uint64_t scans) {
+  constexpr std::int64_t kQuarter = kRolloverMs / 4;
+  constexpr std::array<std::int64_t, 6> kSteps = {
+      kQuarter, kQuarter - 1, kQuarter + 1, 1, 500, kQuarter};
+  if (!use_rollover(program)) return std::nullopt;
+  program.scan = {1, kQuarter + 1};
+  Stimulus stimulus = random_stimulus(program, tape, scans);
+  for (StimulusStep& step : stimulus.steps) {
+    step.dt_ms = kSteps[tape.pick(kSteps.size())];
   }
   return stimulus;
 }

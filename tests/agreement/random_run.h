@@ -31,6 +31,12 @@ std::optional<ReadProgram> read_program(std::string_view dialect,
 Stimulus random_stimulus(const Program& program, Tape& tape,
                          std::uint64_t scans);
 
+/// Random inputs on a clock of 32 bits, in scans of days that make it roll
+/// over, also to 0 exactly. No value: no timer of the program reads such a
+/// clock. With one it is changed.
+std::optional<Stimulus> rollover_stimulus(Program& program, Tape& tape,
+                                          std::uint64_t scans);
+
 /// Inputs and dt of a step.
 void set_inputs(const TransitionSystem& ts, const Stimulus& stimulus,
                 const StimulusStep& step, TsInterpreter& interpreter);

@@ -18,17 +18,6 @@
 namespace rung {
 namespace {
 
-constexpr std::int64_t kLongScan = 1'500'000'000;
-
-/// No value: a program of another dialect, or without such a timer.
-std::optional<ReadProgram> with_rollover(const GeneratedProgram& generated) {
-  std::string error;
-  auto read = read_program(generated.dialect, generated.text, error);
-  if (!read || !use_rollover(read->program)) return {};
-  read->program.scan = {1, kLongScan};
-  return read;
-}
-
 TEST(Rollover, MeansTheSameToSimulatorAndEncoding) {
   const std::uint64_t count = setting("RUNG_AGREEMENT_PROGRAMS", 2000) / 4;
   std::uint64_t programs = 0;
@@ -36,14 +25,16 @@ TEST(Rollover, MeansTheSameToSimulatorAndEncoding) {
     const std::vector<std::uint32_t> numbers = random_tape(seed, 600);
     Tape tape(numbers);
     const GeneratedProgram generated = generate_program(tape, {});
-    const auto read = with_rollover(generated);
+    std::string error;
+    auto read = read_program(generated.dialect, generated.text, error);
     if (!read) continue;
+    const auto stimulus = rollover_stimulus(read->program, tape, 40);
+    if (!stimulus) continue;
     ++programs;
-    const Stimulus stimulus = random_stimulus(read->program, tape, 40);
     ASSERT_EQ(
         compare_encoding(
             read->program,
-            {read->program, build_transition_system(read->program)}, stimulus),
+            {read->program, build_transition_system(read->program)}, *stimulus),
         "")
         << "seed " << seed << "\n"
         << generated.text;
@@ -52,8 +43,10 @@ TEST(Rollover, MeansTheSameToSimulatorAndEncoding) {
 }
 
 TEST(Rollover, ATimerThatNobodyResetsBeginsAnew) {
-  auto read = with_rollover({"yun", "pin3 = T(0, 5, pin4);\n"});
-  ASSERT_TRUE(read);
+  std::string error;
+  auto read = read_program("yun", "pin3 = T(0, 5, pin4);\n", error);
+  ASSERT_TRUE(read) << error;
+  ASSERT_TRUE(use_rollover(read->program));
   Simulator simulator(read->program);
   simulator.set_input(find_cell(read->program, "pin4"), 1);
   const CellId out = find_cell(read->program, "pin3");
