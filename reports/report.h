@@ -30,9 +30,9 @@ struct BoardReplay {
 struct FileReport {
   FileId file;  // in Report::sources; has a value also when it was unreadable
   std::string path;
-  std::string_view language;               // empty: not recognised
-  std::string_view dialect;                // empty: the language has none
-  std::string semantics;  // the preset it was read with; "+rollover"
+  std::string_view language;  // empty: not recognised
+  std::string_view dialect;   // empty: the language has none
+  std::string semantics;      // the preset it was read with; "+rollover"
   std::shared_ptr<const Program> program;  // null: input errors
   /// What the traces are runs of, where that is not `program`: of `equiv` both
   /// programs as one. Only the page draws it.

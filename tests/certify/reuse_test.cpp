@@ -241,8 +241,8 @@ class TooHard : public Reuse {
     const ExprId sum = e.add(cube("x"), cube("y"));
     return e.negation(e.conjunction(cell.a, e.equal(sum, cube("z"))));
   }
-  // Enough for the easy claims on a busy machine under sanitizers, too little for
-  // the cubes.
+  // Enough for the easy claims on a busy machine under sanitizers, too little
+  // for the cubes.
   const CertificateOptions shortly = {.seconds = 4};
 };
 
