@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <unordered_map>
 #include <utility>
 
 #include "smt/script/numbers.h"
@@ -18,6 +19,14 @@ struct Value {
 struct Interval {
   std::int64_t low = 0;
   std::int64_t high = 0;
+};
+
+/// Where a number lies if a comparison of it with a constant is true, and if it
+/// is not.
+struct Split {
+  std::vector<int> bits;
+  Interval yes;
+  Interval no;
 };
 
 /// Where the symbols lie that have no definition: read off assertions of the
@@ -260,7 +269,47 @@ class Encoder {
       if (node.op == Op::GreaterEqual) holds = -numbers_.less(a, b);
       result = gates().conjunction(result, holds);
     }
+    const bool open = result != Gates::kTrue && result != -Gates::kTrue;
+    if (node.count == 2 && open) note_split(node, result);
     return result;
+  }
+
+  /// `result` is the comparison's literal.
+  void note_split(const Node& node, int result) {
+    const Number& a = operand(node, 0).number;
+    const Number& b = operand(node, 1).number;
+    const bool backwards =
+        node.op == Op::Greater || node.op == Op::LessEqual;  // b < a, or not
+    const bool negated =
+        node.op == Op::LessEqual || node.op == Op::GreaterEqual;
+    const Number& left = backwards ? b : a;
+    const Number& right = backwards ? a : b;
+    Split split;
+    if (right.low == right.high) {  // left < constant
+      split = {left.bits, {left.low, right.low - 1}, {right.low, left.high}};
+    } else if (left.low == left.high) {  // constant < right
+      split = {right.bits, {left.low + 1, right.high}, {right.low, left.low}};
+    } else {
+      return;
+    }
+    if (negated) result = -result;
+    splits_[result] = split;
+    std::swap(split.yes, split.no);
+    splits_[-result] = std::move(split);
+  }
+
+  /// A choice looks at a number only where its condition says where it lies: so
+  /// `x < 9 ? x : 9` is 9 at most, and nothing has to be searched for that.
+  Number within_branch(const Number& number, int condition, bool yes) const {
+    const auto split = splits_.find(condition);
+    if (split == splits_.end() || split->second.bits != number.bits) {
+      return number;
+    }
+    const Interval& lies = yes ? split->second.yes : split->second.no;
+    Number narrow = number;
+    narrow.low = std::max(number.low, lies.low);
+    narrow.high = std::min(number.high, lies.high);
+    return narrow.low <= narrow.high ? narrow : number;
   }
 
   Value choice(const Node& node) {
@@ -270,8 +319,11 @@ class Encoder {
     if (condition.is_int || yes.is_int != no.is_int) fail("sorts");
     if (!encoded_.error.empty()) return {};
     if (yes.is_int) {
-      return {true, 0,
-              numbers_.choose(condition.literal, yes.number, no.number)};
+      return {
+          true, 0,
+          numbers_.choose(condition.literal,
+                          within_branch(yes.number, condition.literal, true),
+                          within_branch(no.number, condition.literal, false))};
     }
     return {
         false, gates().choice(condition.literal, yes.literal, no.literal), {}};
@@ -314,6 +366,7 @@ class Encoder {
   Numbers numbers_;
   std::vector<Value> values_;                    // by node
   std::vector<std::optional<Value>> of_symbol_;  // those spoken of so far
+  std::unordered_map<int, Split> splits_;        // by the comparison's literal
 };
 
 }  // namespace

@@ -145,7 +145,7 @@ class RandomTerms {
     const auto call = [&](const std::string& op, std::int64_t value) {
       return Term{"(" + op + " " + a.text + " " + b.text + ")", true, value};
     };
-    switch (below(7)) {
+    switch (below(9)) {
       case 0:
         return call("+", a.value + b.value);
       case 1:
@@ -164,6 +164,9 @@ class RandomTerms {
             (mod ? "(mod " : "(div ") + a.text + " " + number(by).text + ")",
             true, mod ? a.value - q * by : q};
       }
+      case 6:
+      case 7:
+        return cut(a, b);
       default: {
         const bool less = below(2) == 0;
         const bool holds = less ? a.value < b.value : a.value == b.value;
@@ -172,6 +175,28 @@ class RandomTerms {
                 true, holds ? a.value : -b.value};
       }
     }
+  }
+
+  /// A number that is looked at where a comparison with a constant holds, or
+  /// does not: `(ite (<= a 7) a b)`.
+  Term cut(const Term& a, const Term& b) {
+    const Term at = number(below(41) - 20);
+    const std::int64_t which = below(4);
+    static constexpr const char* kOps[] = {"<", "<=", ">", ">="};
+    const bool turned = below(2) == 0;  // the constant stands first
+    const std::int64_t left = turned ? at.value : a.value;
+    const std::int64_t right = turned ? a.value : at.value;
+    const bool holds = which == 0   ? left < right
+                       : which == 1 ? left <= right
+                       : which == 2 ? left > right
+                                    : left >= right;
+    const bool first = below(2) == 0;  // `a` where it holds
+    const Term& yes = first ? a : b;
+    const Term& no = first ? b : a;
+    return {std::string("(ite (") + kOps[which] + " " +
+                (turned ? at.text + " " + a.text : a.text + " " + at.text) +
+                ") " + yes.text + " " + no.text + ")",
+            true, holds ? yes.value : no.value};
   }
 
   std::int64_t x = 0;
@@ -220,6 +245,22 @@ TEST(ScriptEncoding, ArithmeticIsThatOfSmtLib) {
     }
   }
   EXPECT_GT(decided, 1900);
+}
+
+// What a clock's range needs: no solver has to search for it.
+TEST(ScriptEncoding, ACutNumberLiesBelowItsCut) {
+  const std::string text =
+      "(declare-const x Int)(assert (<= 0 x 20000))"
+      "(assert (=> hypothesis (<= 1 x)))\n";
+  const auto says = [&](const std::string& claim) {
+    return decide(claiming(text, claim));
+  };
+  EXPECT_EQ(says("(<= 0 (ite (< x 900) x 900) 900)"), Decision::Accepted);
+  EXPECT_EQ(says("(<= 0 (ite (>= x 900) 900 x) 900)"), Decision::Accepted);
+  EXPECT_EQ(says("(<= 0 (ite (< x 900) x 900) 899)"), Decision::Doubtful);
+  EXPECT_EQ(says("(<= 0 (ite (<= x 900) x 899) 899)"), Decision::Doubtful);
+  EXPECT_EQ(says("(<= 0 (ite (< 900 x) x 900) 900)"), Decision::Doubtful);
+  EXPECT_EQ(says("(<= 0 (ite (not (< x 900)) x 900) 900)"), Decision::Doubtful);
 }
 
 TEST(ScriptEncoding, ComparisonsAreChains) {
