@@ -261,6 +261,32 @@ TEST(ScriptEncoding, ACutNumberLiesBelowItsCut) {
   EXPECT_EQ(says("(<= 0 (ite (<= x 900) x 899) 899)"), Decision::Doubtful);
   EXPECT_EQ(says("(<= 0 (ite (< 900 x) x 900) 900)"), Decision::Doubtful);
   EXPECT_EQ(says("(<= 0 (ite (not (< x 900)) x 900) 900)"), Decision::Doubtful);
+  // Each bound, and the number beside it.
+  const struct {
+    const char* term;
+    int bound;
+    bool above;
+  } kBounds[] = {
+      {"(ite (< x 900) x 5)", 899, true},
+      {"(ite (<= x 900) x 5)", 900, true},
+      {"(ite (> 900 x) x 5)", 899, true},
+      {"(ite (>= x 900) 5 x)", 899, true},
+      {"(ite (< 900 x) 5 x)", 900, true},
+      {"(ite (< x 900) 5000 x)", 900, false},
+      {"(ite (<= x 900) 5000 x)", 901, false},
+      {"(ite (> x 900) x 5000)", 901, false},
+      {"(ite (<= 900 x) x 5000)", 900, false},
+      {"(ite (>= 900 x) 5000 x)", 901, false},
+  };
+  for (const auto& [term, bound, above] : kBounds) {
+    const auto claim = [&, t = term, up = above](int limit) {
+      const std::string number = std::to_string(limit);
+      return says(up ? std::string("(<= 0 ") + t + " " + number + ")"
+                     : "(<= " + number + " " + t + " 20000)");
+    };
+    EXPECT_EQ(claim(bound), Decision::Accepted) << term;
+    EXPECT_EQ(claim(above ? bound - 1 : bound + 1), Decision::Doubtful) << term;
+  }
 }
 
 TEST(ScriptEncoding, ComparisonsAreChains) {
