@@ -7,6 +7,7 @@
 #include <fstream>
 #include <iterator>
 
+#include "boards/image.h"
 #include "frontend/recognise.h"
 #include "program_generator.h"
 #include "random_run.h"
@@ -86,6 +87,17 @@ bool make_case(const Loaded& loaded, std::uint64_t seed, std::uint64_t scans,
   const auto job = boards::make_job(loaded.program, result.stimulus, found);
   if (job) result.job = *job;
   return job.has_value();
+}
+
+bool put_program(std::span<std::uint8_t> flash, const std::string& program) {
+  const auto place = boards::find_tape_place(
+      {reinterpret_cast<const char*>(flash.data()), flash.size()});
+  if (!place || program.size() + 4 > place->size) return false;
+  flash[place->at] = static_cast<std::uint8_t>(program.size() & 0xffU);
+  flash[place->at + 1] = static_cast<std::uint8_t>(program.size() >> 8U);
+  std::copy(program.begin(), program.end(),
+            flash.begin() + static_cast<std::ptrdiff_t>(place->at + 4));
+  return true;
 }
 
 std::vector<Violation> find_violations(const Programs& programs) {

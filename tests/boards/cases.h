@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <deque>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -44,6 +45,10 @@ class Programs {
 /// lowered to the postfix format.
 bool make_case(const Loaded& loaded, std::uint64_t seed, std::uint64_t scans,
                Case& result);
+
+/// Writes a lowered program into the place that pins.ino has for it; false when
+/// there is none, or it is too small.
+bool put_program(std::span<std::uint8_t> flash, const std::string& program);
 
 /// A property that is violated, or a state that can be reached, and the run
 /// that shows it.

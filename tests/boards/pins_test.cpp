@@ -16,7 +16,6 @@
 
 #include "analysis/explanation.h"
 #include "avr_board.h"
-#include "boards/image.h"
 #include "cases.h"
 #include "smt/verify.h"
 
@@ -140,7 +139,9 @@ class PinBoard {
   /// Until the sketch begins.
   std::string start() {
     if (!board_.error().empty()) return board_.error();
-    if (!load()) return "no place for the program";
+    if (!put_program(board_.flash(), test_.job.program)) {
+      return "no place for the program";
+    }
     for (const CellId id : outputs()) {
       const std::string& name = test_.program->cells[id].name;
       board_.watch(pin(id), name);
@@ -171,19 +172,6 @@ class PinBoard {
 
   AvrBoard::Pin pin(CellId id) const {
     return wires_.digital[*digital_pin(test_.program->cells[id].name)];
-  }
-
-  bool load() {
-    const std::span<std::uint8_t> flash = board_.flash();
-    const auto place = boards::find_tape_place(
-        {reinterpret_cast<const char*>(flash.data()), flash.size()});
-    const std::string& program = test_.job.program;
-    if (!place || program.size() + 4 > place->size) return false;
-    flash[place->at] = static_cast<std::uint8_t>(program.size() & 0xffU);
-    flash[place->at + 1] = static_cast<std::uint8_t>(program.size() >> 8U);
-    std::copy(program.begin(), program.end(),
-              flash.begin() + static_cast<std::ptrdiff_t>(place->at + 4));
-    return true;
   }
 
   /// Until the sketch has written this into its counter of scans.

@@ -1,6 +1,7 @@
 // A program on a board's pins, as a user's sketch has it. Where a test is to say
 // how long each scan takes, the clock is not millis() but in registers that
-// nothing else uses; so is a counter of scans.
+// nothing else uses; so is a counter of scans. With millis(), they show what it
+// said last, and count when a pin is begun and done with: odd in between.
 #include <Rungproof.h>
 
 struct Reserved {
@@ -23,7 +24,27 @@ const rungproof::Pin pins[] RUNGPROOF_FLASH = {
 };
 
 #ifdef RUNG_REAL_CLOCK
-typedef rungproof::ArduinoIo Board;
+class ShownBoard : public rungproof::ArduinoIo {
+ public:
+  uint32_t clock_ms() override {
+    const uint32_t now = millis();
+    GPIOR1 = now;
+    return now;
+  }
+  int32_t read(uint8_t pin, rungproof::Signal signal) override {
+    GPIOR2 = GPIOR2 + 1;
+    const int32_t value = rungproof::ArduinoIo::read(pin, signal);
+    GPIOR2 = GPIOR2 + 1;
+    return value;
+  }
+  void write(uint8_t pin, rungproof::Signal signal, int32_t value) override {
+    GPIOR2 = GPIOR2 + 1;
+    rungproof::ArduinoIo::write(pin, signal, value);
+    GPIOR2 = GPIOR2 + 1;
+  }
+};
+
+typedef ShownBoard Board;
 #else
 class ScriptedClock : public rungproof::ArduinoIo {
  public:
