@@ -5,6 +5,7 @@
 #include <unordered_map>
 #include <utility>
 
+#include "check/equal_memories.h"
 #include "check/lemma.h"
 #include "check/ways.h"
 
@@ -57,7 +58,9 @@ std::string_view to_string(Outcome outcome) {
 
 CertificateCheck::CertificateCheck(Claims claims, const ClaimedResult& claimed,
                                    const std::vector<std::string>& wanted)
-    : model_(std::move(claims.model)), goals_(std::move(claims.goals)) {
+    : model_(std::move(claims.model)),
+      goals_(std::move(claims.goals)),
+      equal_(guess_equal_memories(*model_, claims.first_memory)) {
   for (const ClaimedProperty& property : claimed.properties) {
     const bool is_wanted =
         wanted.empty() ||
@@ -76,6 +79,12 @@ void CertificateCheck::write_scripts(Group& group) {
     helped.helpers = group.helpers;
     helped.narrow = true;
     group.scripts.push_back(write_script(*model_, helped));
+  }
+  const bool needs_names = !group.proof.lemmas.empty() || group.proof.k > 0;
+  if (!equal_.empty() && needs_names) {
+    Proof named = group.proof;
+    named.lemmas.insert(named.lemmas.end(), equal_.begin(), equal_.end());
+    group.scripts.push_back(write_script(*model_, named));
   }
   for (const Script& script : group.scripts) scripts_.push_back(script.text);
 }
@@ -187,7 +196,10 @@ std::string CertificateCheck::read_certificate(const ClaimedProperty& property,
   }
   for (const std::string& text : property.conditions) {
     const Lemma condition = read_condition(text, *model_);
-    if (!condition.error.empty()) continue;
+    if (!condition.error.empty()) {
+      group.is_partial = true;
+      continue;
+    }
     group.helpers.push_back({condition.value, text});
   }
   return {};
@@ -245,9 +257,14 @@ void CertificateCheck::judge(const Group& group, const Script& script,
   for (std::size_t i = 1; i < answers.size(); ++i) {
     if (answers[i] == "unsat") continue;
     const Script::Question& question = script.questions[i - 1];
-    const bool wrong = answers[i] == "sat";
-    const std::string why =
-        question.what + (wrong ? " fails" : ": the solver does not decide it");
+    // Without a condition that it may need, a proof is none, and not wrong.
+    const bool fails = answers[i] == "sat";
+    const bool wrong = fails && !group.is_partial;
+    std::string why =
+        question.what + (fails ? " fails" : ": the solver does not decide it");
+    if (fails && !wrong) {
+      why += ", without the conditions that name choices of the engine";
+    }
     const bool alone = question.of_condition && group.proof.k == 0;
     for (std::size_t j = 0; j < count; ++j) {
       if (!alone || j == question.claim) lower(j, wrong, why);

@@ -59,7 +59,8 @@ class CertificateCheck {
     std::vector<Claim> helpers;           // conditions that may be needed
     std::vector<std::size_t> properties;  // by condition: index of checked_
     bool is_shared = true;                // by properties with these lemmas
-    std::vector<Script> scripts;          // alone; with helpers
+    bool is_partial = false;              // conditions that are not understood
+    std::vector<Script> scripts;  // alone; with helpers; with equal memories
   };
 
   void add(const ClaimedProperty& property, std::size_t index);
@@ -76,6 +77,7 @@ class CertificateCheck {
 
   std::unique_ptr<Model> model_;
   std::vector<Goal> goals_;
+  std::vector<Claim> equal_;  // memories that lemmas may know by another name
   std::vector<Checked> checked_;
   std::vector<Group> groups_;
   std::vector<std::string> scripts_;

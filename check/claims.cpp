@@ -60,6 +60,7 @@ class SideBySide {
     side.clock_caps = clock_caps(b_.program);
     const ProgramValues values_b = encode_program(b_.program, model, side);
     if (!model.unknown_element.empty()) return std::move(claims_);
+    claims_.first_memory = static_cast<std::uint32_t>(model.states.size());
     assume(a_, values_a);
     assume(b_, values_b);
     for (const ClaimedProperty& output : claimed.properties) {
@@ -151,6 +152,7 @@ Claims claims_of(const Program& program, const PropertySet& properties) {
   Claims claims;
   claims.model = std::make_unique<Model>();
   const ProgramValues values = encode_program(program, *claims.model);
+  claims.first_memory = static_cast<std::uint32_t>(claims.model->states.size());
   if (claims.model->unknown_element.empty()) {
     claims.goals =
         encode_properties(program, properties, values, *claims.model);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <string>
 #include <utility>
@@ -18,6 +19,8 @@ namespace rung::check {
 struct Claims {
   std::unique_ptr<Model> model;
   std::vector<Goal> goals;
+  /// States from here on are memories of property lines.
+  std::uint32_t first_memory = 0;
   std::string error;  // there is nothing to be proved of these programs
 };
 

@@ -113,6 +113,22 @@ void confirm(std::uint64_t first, std::uint64_t end, Count& count) {
   }
 }
 
+// The engines keep one memory for `prev(I1)` and for what the `for` remembers,
+// and call it after the `for`.
+TEST(RandomProofs, OfLinesThatShareAMemoryAreConfirmed) {
+  std::string error;
+  const auto read =
+      read_program("sim",
+                   "//@ assume !(I1 && I1)\n"
+                   "//@ (I1 && (I1 ^ fell(M3))) for 10 ms implies M3\n"
+                   "//@ reach prev(I1)\n"
+                   "M3 = (true || I1);\n",
+                   error);
+  ASSERT_TRUE(read) << error;
+  const VerifyReport report = verify(read->program, read->properties, {});
+  EXPECT_EQ(unconfirmed(read->program, read->properties, report), "");
+}
+
 TEST(RandomProofs, AreConfirmed) {
   const std::uint64_t programs = setting("RUNG_CHECK_PROGRAMS", 500);
   const std::uint64_t first = setting("RUNG_AGREEMENT_SEED", 1);
