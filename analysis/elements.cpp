@@ -54,10 +54,9 @@ constexpr std::array<ElementOperation, 2> kTimerYunOperations = {{
 
 // The listing subtracts two readings of millis(), 32 bits wide, so that a timer
 // that nobody resets begins anew after 49.7 days.
-constexpr std::array<ElementUpdate, 2> kTimerYunRolloverStart = {{
-    {"elapsed",
-     "v && !started ? 0 : "
-     "(elapsed < 4294967296 ? elapsed : elapsed - 4294967296)"},
+constexpr std::array<ElementUpdate, 3> kTimerYunRolloverStart = {{
+    {"elapsed", "elapsed < 4294967296 ? elapsed : elapsed - 4294967296"},
+    {"elapsed", "v && !started ? 0 : elapsed'"},
     {"started", "started || v"},
 }};
 constexpr std::array<ElementOperation, 2> kTimerYunRolloverOperations = {{

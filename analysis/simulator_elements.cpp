@@ -39,15 +39,20 @@ constexpr std::int64_t kRollover = std::int64_t{1} << 32;
 // The same as it runs on the controller: `t` is an unsigned long.
 bool timer_yun_rollover(SimulatedElement& e, std::int64_t parameter, bool v,
                         ElementClock& clock) {
-  if (v && !e.started) {
+  const bool starts = v && !e.started;
+  if (starts) {
     e.t0 = clock.now;
     e.started = true;
   }
   const std::int64_t t = millis_since(e.t0, clock.now);
-  if (e.started) {
-    clock.next_event = std::min(clock.next_event, kRollover - t);
+  const bool over = t > parameter;
+  if (e.started && !starts) {
+    // Also where it has just begun anew: 0 is a time like any other.
+    const std::int64_t event =
+        over ? kRollover : std::min(kRollover, parameter + 1);
+    clock.next_event = std::min(clock.next_event, event - t);
   }
-  return reached(t, parameter + 1, clock) && v;
+  return over && v;
 }
 
 // bool TR(int n, bool v)

@@ -51,7 +51,7 @@ constexpr std::string_view kStillOn =
     "it "
     "does not start again";
 
-constexpr std::array<Equivalent, 42> kEquivalent = {{
+constexpr std::array<Equivalent, 44> kEquivalent = {{
     {"ton-esbmc, TON.ET is `elapsed <= p ? elapsed : p`", kAtPreset},
     {"ton-esbmc, TON.ET is `elapsed < (p + 1) ? elapsed : p`", kAtPreset},
     {"ton-matiec, TON.ET is `over ? p : !timing ? 0 : elapsed <= p ? elapsed "
@@ -126,6 +126,10 @@ constexpr std::array<Equivalent, 42> kEquivalent = {{
     {"timer-yun, T, update 1: elapsed `!v && !started ? 0 : elapsed`",
      kNotStarted},
     {"timer-yun, T, update 1: elapsed `elapsed'`", kNotStarted},
+    {"timer-yun-rollover, T, update 2: elapsed "
+     "`!v && !started ? 0 : elapsed'`",
+     kNotStarted},
+    {"timer-yun-rollover, T, update 2: elapsed `elapsed'`", kNotStarted},
     {"timer-off-sim, TOF, update 1: elapsed `v && armed ? 0 : elapsed`",
      kClearedBelow},
     {"timer-off-sim, TOF, update 1: elapsed `!!v && armed ? 0 : elapsed`",

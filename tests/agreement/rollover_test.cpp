@@ -63,6 +63,19 @@ TEST(Rollover, ATimerThatNobodyResetsBeginsAnew) {
   }
 }
 
+// At 0 exactly the timer runs, and an event is still to come.
+TEST(Rollover, NothingIsSkippedBehindATimeOfZero) {
+  std::string error;
+  auto read = read_program("yun", "pin3 = T(0, 5, pin4);\n", error);
+  ASSERT_TRUE(read) << error;
+  ASSERT_TRUE(use_rollover(read->program));
+  Simulator simulator(read->program);
+  simulator.set_input(find_cell(read->program, "pin4"), 1);
+  for (int i = 0; i < 5; ++i) simulator.scan(kRolloverMs / 4);
+  EXPECT_EQ(simulator.value(find_cell(read->program, "pin3")), 0);
+  EXPECT_LE(simulator.idle_scans(1000), 5U);
+}
+
 TEST(Rollover, ChangesNothingElse) {
   for (const std::string_view dialect : {"sim", "yun"}) {
     std::string error;
