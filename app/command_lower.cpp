@@ -121,6 +121,11 @@ int deliver(const Program& program, const std::string& text,
 int run_lower(const Options& options) {
   if (const auto error = check_target(options)) return usage_error(*error);
   if (const auto error = check_form(options)) return usage_error(*error);
+  if (options.rollover) {
+    return usage_error(
+        "lower writes what a program is; `--rollover` says on which clock it "
+        "runs");
+  }
   Session session(options);
   if (session.error()) return usage_error(*session.error());
   if (session.inputs().size() != 1) {
