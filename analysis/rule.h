@@ -60,6 +60,10 @@ struct RuleContext {
 
 enum class Decision : std::uint8_t { Syntax, Solver };
 
+/// Rules that are switched on together. `Safety` asks for what a plain program
+/// need not have; `Pedantic` is about how a program reads.
+enum class Pack : std::uint8_t { Default, Safety, Pedantic };
+
 /// What a check works with: the context, tables over the program, and the way
 /// to report and to ask. Defined in analysis/rules/rule_run.h.
 class RuleRun;
@@ -73,6 +77,7 @@ struct Rule {
   Decision decision;
   std::string_view doc;  // Markdown with the four headings of docs/rules
   void (*check)(RuleRun& run);
+  Pack pack = Pack::Default;
 };
 
 /// Every rule, sorted by code.

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -19,6 +20,27 @@ struct Label {
   std::string text;
 };
 
+/// One replacement in a source: an empty range inserts, empty text deletes.
+struct Edit {
+  SourceRange where;
+  std::string text;
+};
+
+/// A change of the source that takes a finding away.
+struct Fix {
+  std::string title;        // "remove the contact `I0`"
+  std::vector<Edit> edits;  // of one file, in its order, without overlap
+  bool proved = false;      // the program after it is proved to do the same
+};
+
+/// Why a finding does not count. It is still told where a format has a place
+/// for it: a finding that vanished would be opened anew by the next reader.
+struct Waiver {
+  enum class Kind : std::uint8_t { InSource, Baseline };
+  Kind kind = Kind::InSource;
+  std::string reason;
+};
+
 /// One finding about the user's input: data, not text that is already laid
 /// out, so that every report writer reads the same record.
 ///
@@ -32,6 +54,8 @@ struct Diagnostic {
   std::vector<Label> labels;   // other places, each with what it has to do here
   std::string_view rule = {};  // "double-coil"; empty for input errors
   std::string help = {};       // a remedy, or what was proved; may be empty
+  std::vector<Fix> fixes = {};
+  std::optional<Waiver> waiver = {};
 };
 
 class DiagnosticSink {

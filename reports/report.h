@@ -38,8 +38,9 @@ struct FileReport {
   /// programs as one. Only the page draws it.
   std::shared_ptr<const Program> run_of;
   PropertySet properties;
-  std::vector<std::string> notes;  // what is not part of the answer, and why
-  std::vector<Diagnostic> findings;
+  std::vector<std::string> notes;    // what is not part of the answer, and why
+  std::vector<Diagnostic> findings;  // those that count
+  std::vector<Diagnostic> waived;    // those with a waiver, sorted likewise
   std::vector<ObligationResult> results;
   std::vector<SelfCheckFailure> failures;
   std::vector<BoardReplay> replays;
