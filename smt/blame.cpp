@@ -15,7 +15,7 @@ namespace rung {
 namespace {
 
 /// A change of one place.
-struct Edit {
+struct Mutation {
   enum class Kind : std::uint8_t { Negate, Replace, Constant, Preset, Swap };
   Kind kind = Kind::Negate;
   std::uint32_t at = 0;     // a node; of Preset a call, of Swap the upper rung
@@ -23,30 +23,30 @@ struct Edit {
   std::int64_t value = 0;   // of Constant and Preset
 };
 
-Program changed(const Program& program, const Edit& edit) {
+Program changed(const Program& program, const Mutation& mutation) {
   Program result = program;
-  switch (edit.kind) {
-    case Edit::Kind::Negate:
-      negate_node(result, edit.at);
+  switch (mutation.kind) {
+    case Mutation::Kind::Negate:
+      negate_node(result, mutation.at);
       break;
-    case Edit::Kind::Replace:
-      replace_operator(result, edit.at, edit.op);
+    case Mutation::Kind::Replace:
+      replace_operator(result, mutation.at, mutation.op);
       break;
-    case Edit::Kind::Constant:
-      result.nodes[edit.at].value = edit.value;
+    case Mutation::Kind::Constant:
+      result.nodes[mutation.at].value = mutation.value;
       break;
-    case Edit::Kind::Preset: {
-      ElementCall& call = result.calls[CallId(edit.at)];
-      call.parameter = edit.value;
+    case Mutation::Kind::Preset: {
+      ElementCall& call = result.calls[CallId(mutation.at)];
+      call.parameter = mutation.value;
       Instance& instance = result.instances[call.instance];
       instance.largest_parameter =
-          std::max(instance.largest_parameter, edit.value);
-      instance.clock_cap = std::max(instance.clock_cap, edit.value + 1);
+          std::max(instance.largest_parameter, mutation.value);
+      instance.clock_cap = std::max(instance.clock_cap, mutation.value + 1);
       break;
     }
-    case Edit::Kind::Swap:
-      std::swap(result.rungs[RungId(edit.at)],
-                result.rungs[RungId(edit.at + 1)]);
+    case Mutation::Kind::Swap:
+      std::swap(result.rungs[RungId(mutation.at)],
+                result.rungs[RungId(mutation.at + 1)]);
       break;
   }
   return result;
@@ -90,34 +90,35 @@ NodeOp counterpart(NodeOp op) {
   }
 }
 
-Blame describe(const Program& b, const Edit& edit) {
+Blame describe(const Program& b, const Mutation& mutation) {
   constexpr std::string_view kSame = " the programs are the same";
   std::string what;
   SourceRange where;
-  switch (edit.kind) {
-    case Edit::Kind::Negate:
-      where = b.nodes[edit.at].where;
+  switch (mutation.kind) {
+    case Mutation::Kind::Negate:
+      where = b.nodes[mutation.at].where;
       what = "with this contact negated";
       break;
-    case Edit::Kind::Replace: {
-      where = b.nodes[edit.at].where;
-      const std::string_view old = sign(b.nodes[edit.at].op);
+    case Mutation::Kind::Replace: {
+      where = b.nodes[mutation.at].where;
+      const std::string_view old = sign(b.nodes[mutation.at].op);
       what = old.empty() ? std::string("without this negation")
-                         : "with `" + std::string(sign(edit.op)) +
+                         : "with `" + std::string(sign(mutation.op)) +
                                "` instead of `" + std::string(old) + "`";
       break;
     }
-    case Edit::Kind::Constant:
-      where = b.nodes[edit.at].where;
-      what = "with " + std::to_string(edit.value) + " here";
+    case Mutation::Kind::Constant:
+      where = b.nodes[mutation.at].where;
+      what = "with " + std::to_string(mutation.value) + " here";
       break;
-    case Edit::Kind::Preset:
-      where = b.calls[CallId(edit.at)].where;
-      what = "with the preset " + std::to_string(edit.value) + " instead of " +
-             std::to_string(b.calls[CallId(edit.at)].parameter);
+    case Mutation::Kind::Preset:
+      where = b.calls[CallId(mutation.at)].where;
+      what = "with the preset " + std::to_string(mutation.value) +
+             " instead of " +
+             std::to_string(b.calls[CallId(mutation.at)].parameter);
       break;
-    case Edit::Kind::Swap:
-      where = b.rungs[RungId(edit.at)].where;
+    case Mutation::Kind::Swap:
+      where = b.rungs[RungId(mutation.at)].where;
       what = "with this rung below the next one";
       break;
   }
@@ -125,9 +126,9 @@ Blame describe(const Program& b, const Edit& edit) {
 }
 
 /// All changes, in the order of the rungs.
-class Edits {
+class Mutations {
  public:
-  Edits(const Program& a, const Program& b) : b_(b) {
+  Mutations(const Program& a, const Program& b) : b_(b) {
     for (const Node& node : a.nodes) {
       const bool number =
           node.op == NodeOp::Constant && node.type == Type::Word;
@@ -138,15 +139,15 @@ class Edits {
     }
   }
 
-  std::vector<Edit> list() {
+  std::vector<Mutation> list() {
     for (const RungId id : ids_of(b_.rungs)) {
       const Rung& rung = b_.rungs[id];
       for (std::uint32_t i = rung.begin; i < rung.end; ++i) add_node(i);
       if (id.index() + 1 < b_.rungs.size()) {
-        edits_.push_back({.kind = Edit::Kind::Swap, .at = id.index()});
+        mutations_.push_back({.kind = Mutation::Kind::Swap, .at = id.index()});
       }
     }
-    return std::move(edits_);
+    return std::move(mutations_);
   }
 
  private:
@@ -155,30 +156,31 @@ class Edits {
   void add_node(std::uint32_t i) {
     const Node& node = b_.nodes[i];
     if (node.op == NodeOp::Read && node.type == Type::Bit) {
-      edits_.push_back({.kind = Edit::Kind::Negate, .at = i});
+      mutations_.push_back({.kind = Mutation::Kind::Negate, .at = i});
     } else if (node.op == NodeOp::Not || counterpart(node.op) != NodeOp::Not) {
-      edits_.push_back(
-          {.kind = Edit::Kind::Replace, .at = i, .op = counterpart(node.op)});
+      mutations_.push_back({.kind = Mutation::Kind::Replace,
+                            .at = i,
+                            .op = counterpart(node.op)});
     } else if (node.op == NodeOp::Constant && node.type == Type::Word) {
-      add_numbers(Edit::Kind::Constant, i, numbers_, node.value);
+      add_numbers(Mutation::Kind::Constant, i, numbers_, node.value);
     } else if (node.op == NodeOp::Call) {
-      add_numbers(Edit::Kind::Preset, node.call.index(), presets_,
+      add_numbers(Mutation::Kind::Preset, node.call.index(), presets_,
                   b_.calls[node.call].parameter);
     }
   }
 
-  void add_numbers(Edit::Kind kind, std::uint32_t at,
+  void add_numbers(Mutation::Kind kind, std::uint32_t at,
                    const std::set<std::int64_t>& numbers, std::int64_t old) {
     for (const std::int64_t number : numbers) {
       if (number == old) continue;
-      edits_.push_back({.kind = kind, .at = at, .value = number});
+      mutations_.push_back({.kind = kind, .at = at, .value = number});
     }
   }
 
   const Program& b_;
   std::set<std::int64_t> numbers_;
   std::set<std::int64_t> presets_;
-  std::vector<Edit> edits_;
+  std::vector<Mutation> mutations_;
 };
 
 /// The shared outputs of the first program at the end of each step of the run.
@@ -220,16 +222,16 @@ std::optional<Blame> find_blame(const Program& a, const Program& b,
   EquivalenceOptions quick = options;
   quick.delay = 0;
   quick.smtlib_directory.clear();
-  for (const Edit& edit : Edits(a, b).list()) {
+  for (const Mutation& mutation : Mutations(a, b).list()) {
     if (deadline.passed()) break;
-    const Program candidate = changed(b, edit);
+    const Program candidate = changed(b, mutation);
     if (run_of(candidate, outputs_b, *different.stimulus_b) != expected) {
       continue;
     }
     quick.budget.seconds = std::min(2.0, options.budget.seconds);
     const EquivalenceResult answer = check_equivalence(a, candidate, quick);
     if (answer.verdict == EquivalenceVerdict::Equivalent) {
-      return describe(b, edit);
+      return describe(b, mutation);
     }
   }
   return std::nullopt;
