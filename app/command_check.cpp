@@ -10,42 +10,17 @@
 
 #include "analysis/rule.h"
 #include "app/commands.h"
+#include "app/lint.h"
 #include "app/output.h"
 #include "app/select.h"
 #include "app/session.h"
 #include "app/sweep.h"
 #include "app/version.h"
 #include "boards/replay.h"
-#include "smt/oracle.h"
 #include "smt/repair.h"
 
 namespace rung {
 namespace {
-
-void lint(const SourceSet& sources, const Program& program, FileReport& report,
-          const VerifyOptions& verify_options) {
-  TransitionSystem ts = build_transition_system(program);
-  PropertySet assumptions;
-  assumptions.assumptions = report.properties.assumptions;
-  make_obligations(program, assumptions, ts);  // adds the constraints
-  OracleOptions oracle_options;
-  oracle_options.self_check = verify_options.self_check;
-  oracle_options.seconds =
-      std::min(oracle_options.seconds, verify_options.budget.seconds);
-  SolverOracle oracle(program, ts, oracle_options);
-  DiagnosticList found;
-  const RuleSummary summary =
-      run_rules({sources, program, report.properties, ts, &oracle}, found);
-  report.findings = found.take();
-  if (summary.undecided > 0) {
-    report.notes.push_back(fmt::format(
-        "{} of the {} questions of the solver-decided rules are left open, and "
-        "nothing is claimed there: {}",
-        summary.undecided, summary.asked,
-        summary.too_large ? "the program is too large to ask them"
-                          : "what lint spends on a program did not suffice"));
-  }
-}
 
 /// Which property of `all` is it?
 std::uint32_t index_in(const PropertySet& all, const Property& property) {
