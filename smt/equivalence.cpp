@@ -95,7 +95,7 @@ class EquivalenceCheck {
         b_(b),
         options_(options),
         comparison_{delay, options.settled},
-        deadline_(options.budget.seconds),
+        deadline_(options.budget.seconds, options.budget.stop),
         shared_(share_signals(a, b, options.map)) {}
 
   EquivalenceResult run() {

@@ -43,14 +43,17 @@ void prepare_for_queries(CaDiCaL::Solver& solver) {
   solver.set("profile", 0);
 }
 
-Deadline::Deadline(double seconds)
-    : at_ns_(now_ns() + static_cast<std::int64_t>(seconds * 1e9)) {}
+Deadline::Deadline(double seconds, const std::atomic<bool>* stop)
+    : at_ns_(now_ns() + static_cast<std::int64_t>(seconds * 1e9)),
+      stop_(stop) {}
 
-bool Deadline::passed() const { return now_ns() >= at_ns_; }
+bool Deadline::passed() const {
+  return now_ns() >= at_ns_ || (stop_ != nullptr && stop_->load());
+}
 
 Deadline Deadline::part(double share) const {
   const auto left = static_cast<double>(at_ns_ - now_ns());
-  return Deadline(std::max(left, 0.0) * share / 1e9);
+  return Deadline(std::max(left, 0.0) * share / 1e9, stop_);
 }
 
 std::string sat_version() { return CaDiCaL::Solver::version(); }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <atomic>
 #include <cstdint>
 #include <initializer_list>
 #include <memory>
@@ -14,13 +15,16 @@ namespace rung {
 /// within one. Effort limits come first; this is the outer one.
 class Deadline {
  public:
-  explicit Deadline(double seconds);
+  /// `stop`, if any, outlives this and its parts: once it is true, every
+  /// deadline has passed.
+  explicit Deadline(double seconds, const std::atomic<bool>* stop = nullptr);
   bool passed() const;
   /// When this share of the time that is left from now on has passed.
   Deadline part(double share) const;
 
  private:
   std::int64_t at_ns_ = 0;
+  const std::atomic<bool>* stop_ = nullptr;
 };
 
 /// The solver's version.

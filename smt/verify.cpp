@@ -41,7 +41,7 @@ class Verifier {
       : program_(program),
         properties_(properties),
         options_(options),
-        deadline_(options.budget.seconds),
+        deadline_(options.budget.seconds, options.budget.stop),
         ts_(std::move(ts)),
         questions_(make_questions(program, properties, options.wanted, ts_)),
         growth_(growth_terms(ts_)),

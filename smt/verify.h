@@ -1,5 +1,6 @@
 #pragma once
 
+#include <atomic>
 #include <cstdint>
 #include <functional>
 #include <string>
@@ -17,6 +18,8 @@ namespace rung {
 struct Budget {
   double seconds = 60;            // one program, all obligations
   std::uint32_t max_depth = 200;  // jump steps of the bounded search
+  /// Set by another thread, which nobody waits for any more: give up.
+  const std::atomic<bool>* stop = nullptr;
 };
 
 struct VerifyOptions {
