@@ -102,6 +102,20 @@ class PropertyReader {
     cell.role = CellRole::Input;
     cell.declared = true;
     if (statement.has_range) set_range(statement, cell);
+    set_wiring(statement, id);
+  }
+
+  void set_wiring(const Statement& statement, CellId id) {
+    Wiring wiring = statement.wiring;
+    if (!wiring.normally_closed && !wiring.trip && !wiring.reset) return;
+    const Cell& cell = program_.cells[id];
+    if (cell.type != Type::Bit) {
+      return fail("RP067", statement.line.where,
+                  "`" + cell.name + "` is a word: only a bit is wired so");
+    }
+    wiring.cell = id;
+    wiring.where = statement.line.where;
+    set_.wirings.push_back(wiring);
   }
 
   void set_range(const Statement& statement, Cell& cell) {

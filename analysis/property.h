@@ -51,11 +51,21 @@ struct Expectation {
   SourceRange where;
 };
 
+/// What an `//@ input` line says of the device behind a bit.
+struct Wiring {
+  CellId cell;
+  bool normally_closed = false;  // `nc`: a cut wire reads as it does: false
+  bool trip = false;   // `trip`: active, it has to stop what it breaks
+  bool reset = false;  // `reset`: the button that acknowledges a trip
+  SourceRange where;
+};
+
 /// All that the property lines of a program say.
 struct PropertySet {
   std::vector<Property> properties;
   std::vector<std::string> assumptions;  // formulas over inputs
   std::vector<Expectation> expectations;
+  std::vector<Wiring> wirings;
 };
 
 /// Reads the annotations of `program` (and `extra`, the lines of a --props

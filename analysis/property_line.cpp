@@ -65,6 +65,7 @@ class LineParser {
   void read_pattern(const Slice& rest);
   void read_assume(const Slice& rest);
   void read_input(const Slice& rest);
+  void take_wiring();
   void read_output(const Slice& rest);
   void read_scan(const Slice& rest);
   void read_expect(const Slice& rest);
@@ -356,8 +357,29 @@ void LineParser::read_input(const Slice& rest) {
   const std::size_t in = find_word(rest.text, "in");
   statement_.subject = rest.part(0, in);
   if (statement_.subject.empty()) fail(rest, "a name is missing here");
-  if (in == kNowhere) return;
+  if (in == kNowhere) return take_wiring();
   statement_.has_range = range(rest.part(in + 2), {});
+}
+
+/// Takes the words behind the name off the subject: `NAME nc trip`.
+void LineParser::take_wiring() {
+  Slice& name = statement_.subject;
+  Wiring& wiring = statement_.wiring;
+  for (;;) {
+    std::size_t begin = name.text.size();
+    while (begin > 0 && !is_space(name.text[begin - 1])) --begin;
+    const std::string_view word = name.text.substr(begin);
+    bool* const flag = word == "nc"      ? &wiring.normally_closed
+                       : word == "trip"  ? &wiring.trip
+                       : word == "reset" ? &wiring.reset
+                                         : nullptr;
+    if (flag == nullptr || begin == 0) break;
+    *flag = true;
+    name = name.part(0, begin);
+  }
+  if (wiring.trip && wiring.reset) {
+    fail(statement_.line, "an input is a `trip` or a `reset`, not both");
+  }
 }
 
 void LineParser::read_output(const Slice& rest) {

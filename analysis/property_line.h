@@ -27,7 +27,7 @@ struct Statement {
   enum class Kind : std::uint8_t {
     Property,
     Assume,   // formulas[0]
-    Input,    // subject [in low..high]
+    Input,    // subject [in low..high] or subject [nc] [trip] [reset]
     Output,   // subject
     Scan,     // low..high ms
     Expect,   // subject and verdict
@@ -47,6 +47,7 @@ struct Statement {
   bool has_range = false;
   std::int64_t low = 0;
   std::int64_t high = 0;
+  Wiring wiring;  // of Input: its cell is not looked up yet
 };
 
 /// Takes a line apart. No value when it is wrong, which was reported, once.
