@@ -9,6 +9,7 @@
 #include <thread>
 
 #include "analysis/rule.h"
+#include "app/answer_cache.h"
 #include "app/commands.h"
 #include "app/lint.h"
 #include "app/output.h"
@@ -90,10 +91,9 @@ void replay(const Program& program, const boards::Emulator& emulator,
   }
 }
 
-void prove(const Program& program, FileReport& report, const Options& options,
-           const VerifyOptions& verify_options) {
-  const PropertySet all = report.properties;
-  report.properties = select(std::move(report.properties), options.properties);
+/// Of `all` properties, those that the report has.
+void prove(const Program& program, const PropertySet& all, FileReport& report,
+           const Options& options, const VerifyOptions& verify_options) {
   VerifyOptions some = verify_options;
   some.wanted = wanted_by(options.properties);
   VerifyReport answer = verify(program, report.properties, some);
@@ -119,9 +119,11 @@ std::string missing_properties(const Report& report, const Options& options) {
 
 class CheckRun {
  public:
-  /// `emulator` may be null: violations are executed nowhere else.
-  CheckRun(Session& session, const boards::Emulator* emulator)
-      : session_(session), emulator_(emulator) {
+  /// `emulator` may be null: violations are executed nowhere else. `cache` may
+  /// be null: nothing is kept. It outlives the report, which points into it.
+  CheckRun(Session& session, const boards::Emulator* emulator,
+           AnswerCache* cache)
+      : session_(session), emulator_(emulator), cache_(cache) {
     const Options& options = session.options();
     report_.sources = &session.sources();
     report_.command = options.command;
@@ -187,32 +189,63 @@ class CheckRun {
 
   FileReport check(std::size_t reading) {
     const std::size_t index = readings_[reading].input;
-    Loaded loaded =
-        session_.load(session_.inputs()[index], readings_[reading].semantics);
-    if (loaded.program) {
-      const VerifyOptions options = session_.verify_options(index);
-      if (report_.linted) {
-        lint(session_.sources(), *loaded.program, loaded.report, options);
-      }
-      if (report_.proved) {
-        prove(*loaded.program, loaded.report, session_.options(), options);
-        if (emulator_ != nullptr) {
-          replay(*loaded.program, *emulator_, options.budget.seconds,
-                 loaded.report);
-        }
-      }
+    const std::string_view preset = readings_[reading].semantics;
+    Loaded loaded = session_.load(session_.inputs()[index], preset);
+    if (!loaded.program) return std::move(loaded.report);
+    if (cache_ == nullptr) {
+      answer(index, loaded);
+      return std::move(loaded.report);
+    }
+    const AnswerCache::Question question = cache_->question(
+        session_.sources(), loaded.report, session_.properties_file(), preset);
+    if (cache_->find(question, loaded.report)) {
+      select_properties(loaded.report);
+    } else {
+      answer(index, loaded);
+      cache_->keep(question, loaded.report);
     }
     return std::move(loaded.report);
   }
 
+  void select_properties(FileReport& report) const {
+    if (!report_.proved) return;
+    report.properties =
+        select(std::move(report.properties), session_.options().properties);
+  }
+
+  void answer(std::size_t index, Loaded& loaded) {
+    const VerifyOptions options = session_.verify_options(index);
+    if (report_.linted) {
+      lint(session_.sources(), *loaded.program, loaded.report, options);
+    }
+    if (report_.proved) {
+      const PropertySet all = loaded.report.properties;
+      select_properties(loaded.report);
+      prove(*loaded.program, all, loaded.report, session_.options(), options);
+      if (emulator_ != nullptr) {
+        replay(*loaded.program, *emulator_, options.budget.seconds,
+               loaded.report);
+      }
+    }
+  }
+
   Session& session_;
   const boards::Emulator* emulator_;
+  AnswerCache* cache_;
   std::vector<Reading> readings_;
   Report report_;
   std::atomic<std::size_t> next_ = 0;
   std::mutex failure_mutex_;
   std::exception_ptr failure_;
 };
+
+/// The answer stands; the next run will have to find it again.
+void warn_of_cache(const AnswerCache& cache) {
+  const std::string failure = cache.failure();
+  if (failure.empty()) return;
+  fmt::print(stderr, "rungproof: warning: the cache cannot be written: {}\n",
+             failure);
+}
 
 }  // namespace
 
@@ -227,9 +260,15 @@ int run_check(const Options& options) {
       return usage_error("--replay-on: " + emulator->error());
     }
   }
-  CheckRun run(session, emulator ? &*emulator : nullptr);
+  auto cache = AnswerCache::open(options);
+  if (const auto* error = std::get_if<std::string>(&cache)) {
+    return usage_error(*error);
+  }
+  AnswerCache* const kept = std::get<std::unique_ptr<AnswerCache>>(cache).get();
+  CheckRun run(session, emulator ? &*emulator : nullptr, kept);
   const Report& report = run.run();
   const int status = emit(report, options);
+  if (kept != nullptr) warn_of_cache(*kept);
   const std::string missing = missing_properties(report, options);
   if (missing.empty() || !report.proved) return status;
   usage_error("no property is called" + missing);

@@ -206,6 +206,13 @@ void add_common(CLI::App& app, RawOptions& raw, Options& options) {
                  "cvc5, z3: re-check certificates with it as well");
   app.add_option("--certificates", options.certificates,
                  "write certificates as SMT-LIB files into this directory");
+  app.add_option("--cache", options.cache,
+                 "DIR, on, off: keep answers, and give them again")
+      ->check(CLI::Validator(
+          [](const std::string& text) {
+            return text.empty() ? "a directory is missing" : "";
+          },
+          ""));
   app.add_flag("--explain", options.explain,
                "why a property is violated, a proved repair, proofs in words");
   app.add_option("--map", raw.map, "a=b: signal a of the first is b")
@@ -349,6 +356,18 @@ std::optional<std::string> unknown_command(int argc, char** argv) {
                      did_you_mean(wanted, known));
 }
 
+/// Each value behind its length, so that no two lists are one text.
+void note_given(const CLI::App& app, Options& options) {
+  for (const CLI::Option* option : app.get_options()) {
+    if (option->count() == 0) continue;
+    std::string values;
+    for (const std::string& value : option->results()) {
+      values += fmt::format("{}:{}", value.size(), value);
+    }
+    options.given.emplace_back(option->get_name(), std::move(values));
+  }
+}
+
 std::string version_text() {
   std::string out = fmt::format("rungproof {}", kVersion);
   for (const auto& [name, version] : solver_versions()) {
@@ -377,7 +396,10 @@ std::variant<Options, int> parse_options(int argc, char** argv) {
     add_common(app, raw, options);
     add_commands(app, raw, options);
     app.parse(argc, argv);
-    options.command = app.get_subcommands().front()->get_name();
+    const CLI::App& command = *app.get_subcommands().front();
+    options.command = command.get_name();
+    note_given(app, options);
+    note_given(command, options);
     check_texts(raw, options);
     return options;
   } catch (const CLI::Success& done) {

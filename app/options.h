@@ -24,6 +24,9 @@ enum class ColourMode : std::uint8_t { Auto, Always, Never };
 /// The command line, checked and typed.
 struct Options {
   std::string command;
+  /// Every option as it was given, by its name, with its values: what an answer
+  /// may depend on, also where nobody thought of it.
+  std::vector<std::pair<std::string, std::string>> given;
   std::vector<std::string> files;
   std::vector<FormatRequest> formats;
   std::optional<ScanInterval> scan;
@@ -47,6 +50,7 @@ struct Options {
   bool self_check = true;
   std::string recheck;
   std::string certificates;
+  std::string cache;  // on, off or a directory; empty: the environment says
   std::vector<std::pair<std::string, std::string>> map;
   // equiv
   std::vector<std::string> rungs;

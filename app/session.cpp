@@ -51,6 +51,7 @@ Session::Session(const Options& options)
       }
       lines = sources_.add(options.props, std::move(made.lines));
     }
+    properties_file_ = lines;
     extra_ = property_lines(sources_, lines);
   }
   if (!options.revision.empty() && options.files.size() == 1) {

@@ -23,6 +23,8 @@ class Session {
   const std::vector<Input>& inputs() const { return inputs_; }
   SourceSet& sources() { return sources_; }
   const Options& options() const { return options_; }
+  /// Of `--props`, as lines; no value: there are none.
+  FileId properties_file() const { return properties_file_; }
 
   /// `semantics`: instead of what the options say; empty: what they say.
   Loaded load(const Input& input, std::string_view semantics = {}) const;
@@ -37,6 +39,7 @@ class Session {
   const Options& options_;
   SourceSet sources_;
   std::vector<Input> inputs_;
+  FileId properties_file_;
   std::vector<AstAnnotation> extra_;
   std::optional<std::string> error_;
   Progress progress_;

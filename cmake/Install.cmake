@@ -4,7 +4,8 @@ include(CMakePackageConfigHelpers)
 
 set(cmake_dir ${CMAKE_INSTALL_LIBDIR}/cmake/rungproof)
 install(TARGETS rungproof rungproof-check RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
-install(TARGETS rung_options rung_z3 rung_cadical rung_base rung_frontend
+install(TARGETS rung_options rung_z3 rung_cadical rung_nettle rung_base
+                rung_digest rung_frontend
                 rung_analysis rung_rules rung_smt rung_backend rung_boards
                 rung_reports rung_runtime
   EXPORT rungproof-targets

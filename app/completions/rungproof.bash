@@ -7,7 +7,7 @@ _rungproof() {
   local common="--help --version --format --scan --semantics --rollover --stable-inputs --pou --dialect
     --language --props --timeout --engine --jobs --fail-on --color --quiet
     --verbose --property --self-check --recheck --certificates --map
-    --explain"
+    --explain --cache"
   local command= word
   for word in "${COMP_WORDS[@]:1:COMP_CWORD-1}"; do
     [[ " $commands " == *" $word "* ]] && { command=$word; break; }
@@ -37,7 +37,7 @@ _rungproof() {
       local targets="postfix il-iec st script il-mitsubishi ascii plcopen ldmicro plclib"
       [[ $command == export ]] && targets="aiger btor2 chc"
       COMPREPLY=($(compgen -W "$targets" -- "$current")) ;;
-    --certificates) COMPREPLY=($(compgen -d -- "$current")) ;;
+    --certificates|--cache) COMPREPLY=($(compgen -d -- "$current")) ;;
     --scan|--timeout|--jobs|--property|--map|--scans|--dt|--rung|--delay|--git|--tcp|--wait) ;;
     --baud)
       local speeds="9600 19200 38400 57600 115200 230400 500000 1000000"
