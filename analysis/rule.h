@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "analysis/property.h"
+#include "analysis/rule_selection.h"
 #include "analysis/transition_system.h"
 #include "base/diagnostic.h"
 
@@ -54,15 +55,12 @@ struct RuleContext {
   const SourceSet& sources;
   const Program& program;
   const PropertySet& properties;
-  TransitionSystem& ts;  // rules may build terms in it
-  Oracle* oracle;        // null: solver-decided rules say nothing
+  TransitionSystem& ts;      // rules may build terms in it
+  Oracle* oracle;            // null: solver-decided rules say nothing
+  RuleSelection rules = {};  // those that are off neither look nor ask
 };
 
 enum class Decision : std::uint8_t { Syntax, Solver };
-
-/// Rules that are switched on together. `Safety` asks for what a plain program
-/// need not have; `Pedantic` is about how a program reads.
-enum class Pack : std::uint8_t { Default, Safety, Pedantic };
 
 /// What a check works with: the context, tables over the program, and the way
 /// to report and to ask. Defined in analysis/rules/rule_run.h.
@@ -104,11 +102,11 @@ struct RuleSummary {
   bool too_large = false;     // the program: no question was asked
 };
 
-/// Runs every rule. First each check, which may ask questions; then all
-/// questions of all rules go to `context.oracle` in one call, and the rules
+/// Runs every rule that is on. First each check, which may ask questions; then
+/// all questions of all rules go to `context.oracle` in one call, and the rules
 /// judge the answers. Without an oracle every answer is Unknown.
 /// `//@ allow NAME_OR_CODE: reason` on the line of a finding or on the line
-/// above keeps it from `sink`.
+/// above gives it a waiver; it comes to `sink` as the others do.
 RuleSummary run_rules(const RuleContext& context, DiagnosticSink& sink,
                       const RuleBudget& budget = {});
 

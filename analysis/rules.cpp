@@ -28,7 +28,9 @@ RuleSummary run_rules(const RuleContext& context, DiagnosticSink& sink,
                       const RuleBudget& budget) {
   DiagnosticList found;
   RuleRun run(context, found, budget);
-  for (const Rule* rule : kRules) run.check(*rule);
+  for (const Rule* rule : kRules) {
+    if (context.rules.is_on(*rule)) run.check(*rule);
+  }
   const RuleSummary summary = run.decide();
   std::vector<Diagnostic> findings = suppress(context, found.take());
   sort_diagnostics(findings);

@@ -72,6 +72,11 @@ class JsonWriter {
                  {"labels", std::move(labels)},
                  {"help", nullptr}};
     if (!diagnostic.help.empty()) json["help"] = diagnostic.help;
+    if (const auto& waiver = diagnostic.waiver) {
+      const bool in_source = waiver->kind == Waiver::Kind::InSource;
+      json["waiver"] = {{"kind", in_source ? "in-source" : "baseline"},
+                        {"reason", waiver->reason}};
+    }
     return json;
   }
 
@@ -180,6 +185,8 @@ class JsonWriter {
             {"vacuous", summary.vacuous},
             {"unknown", summary.unknown},
             {"findings", summary.findings},
+            {"allowed", summary.allowed},
+            {"baselined", summary.baselined},
             {"input_errors", summary.input_errors},
             {"self_check_failures", summary.failures}};
   }
@@ -191,6 +198,9 @@ class JsonWriter {
       visit("file", file(one));
       for (const Diagnostic& diagnostic : one.findings) {
         visit("finding", finding(one, diagnostic));
+      }
+      for (const Diagnostic& diagnostic : one.waived) {
+        visit("waived", finding(one, diagnostic));
       }
       std::optional<Cones> cones;
       if (one.program && one.program->cells.size() > kMaxCellsInTrace) {
@@ -237,11 +247,13 @@ std::string write_json(const Report& report) {
   JsonWriter writer(report);
   Json files = Json::array();
   Json findings = Json::array();
+  Json waived = Json::array();
   Json properties = Json::array();
   Json failures = Json::array();
   writer.each([&](std::string_view event, Json json) {
     Json& list = event == "file"       ? files
                  : event == "finding"  ? findings
+                 : event == "waived"   ? waived
                  : event == "property" ? properties
                                        : failures;
     list.push_back(std::move(json));
@@ -255,7 +267,8 @@ std::string write_json(const Report& report) {
                {"command", report.command},
                {"exit_status", exit_status(report)},
                {"self_check", report.self_check},
-               {"self_check_failures", std::move(failures)}});
+               {"self_check_failures", std::move(failures)},
+               {"waived", std::move(waived)}});
 }
 
 std::string write_jsonl(const Report& report) {

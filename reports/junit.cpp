@@ -40,7 +40,7 @@ struct Case {
   double milliseconds = 0;
   std::string file;
   std::uint32_t line = 1;
-  std::string_view element;  // "failure", "error", "system-out" or none
+  std::string_view element;  // "failure", "error", "skipped", "system-out"
   std::string type;
   std::string message;
   std::string body;
@@ -76,6 +76,7 @@ class SuiteBuilder {
 
   Suite build() {
     for (const Diagnostic& finding : file_.findings) add_finding(finding);
+    for (const Diagnostic& finding : file_.waived) add_waived(finding);
     if (report_.linted && file_.program && file_.findings.empty()) {
       suite_.cases.push_back(start("no findings", "lint", {}));
     }
@@ -109,14 +110,31 @@ class SuiteBuilder {
     return one;
   }
 
-  void add_finding(const Diagnostic& finding) {
+  Case start(const Diagnostic& finding) {
     const bool input = is_input_error(finding);
     Case one = start("", input ? "input" : "lint", finding.where);
     one.name = fmt::format("{} {} line {}", finding.code, rule_name(finding),
                            one.line);
-    one.element = input                                 ? "error"
-                  : finding.severity >= report_.fail_on ? "failure"
-                                                        : "system-out";
+    return one;
+  }
+
+  /// What somebody has allowed, with the reason, is not run.
+  void add_waived(const Diagnostic& finding) {
+    Case one = start(finding);
+    const bool in_source = finding.waiver->kind == Waiver::Kind::InSource;
+    one.element = "skipped";
+    one.type = in_source ? "allowed" : "baseline";
+    one.message = finding.message;
+    one.body = finding.waiver->reason;
+    suite_.cases.push_back(std::move(one));
+  }
+
+  void add_finding(const Diagnostic& finding) {
+    Case one = start(finding);
+    const Severity fail_on = fail_on_of(report_, file_);
+    one.element = is_input_error(finding)       ? "error"
+                  : finding.severity >= fail_on ? "failure"
+                                                : "system-out";
     one.type = std::string(to_string(finding.severity));
     one.message = finding.message;
     one.body = finding.help;
@@ -197,9 +215,9 @@ std::string write_junit(const Report& report) {
   }
   const auto attributes = [](const Suite& suite) {
     return fmt::format(
-        "tests=\"{}\" failures=\"{}\" errors=\"{}\" skipped=\"0\" time=\"{}\"",
+        "tests=\"{}\" failures=\"{}\" errors=\"{}\" skipped=\"{}\" time=\"{}\"",
         suite.cases.size(), count(suite, "failure"), count(suite, "error"),
-        seconds(time_of(suite)));
+        count(suite, "skipped"), seconds(time_of(suite)));
   };
   std::string out = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n";
   out += fmt::format("<testsuites name=\"rungproof {}\" {}>\n", report.command,

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -41,6 +42,8 @@ struct FileReport {
   std::vector<std::string> notes;    // what is not part of the answer, and why
   std::vector<Diagnostic> findings;  // those that count
   std::vector<Diagnostic> waived;    // those with a waiver, sorted likewise
+  std::optional<Severity> fail_on;   // its configuration's; else the report's
+  bool compared = false;             // with a baseline
   std::vector<ObligationResult> results;
   std::vector<SelfCheckFailure> failures;
   std::vector<BoardReplay> replays;
@@ -76,13 +79,23 @@ struct Summary {
   std::size_t findings = 0;  // all, input errors too
   std::size_t notes = 0;
   std::size_t warnings = 0;
-  std::size_t errors = 0;  // of lint rules
+  std::size_t errors = 0;     // of lint rules
+  std::size_t allowed = 0;    // waived in the source
+  std::size_t baselined = 0;  // waived by a baseline
+  std::size_t failing = 0;    // notes, warnings and errors from `fail_on` on
   std::size_t input_errors = 0;
   std::size_t failures = 0;  // self-checks
   std::size_t not_replayed = 0;
 };
 Summary summarise(const Report& report);
-Summary summarise(const FileReport& file);
+Summary summarise(const FileReport& file, Severity fail_on = Severity::Warning);
+
+/// Which findings of the file make the exit status 1.
+Severity fail_on_of(const Report& report, const FileReport& file);
+
+/// Adds what the rules found to what the reader said: what counts, and what is
+/// waived.
+void take_findings(std::vector<Diagnostic> found, FileReport& file);
 
 /// The program was not read to its end: codes RP0xx of severity error.
 bool is_input_error(const Diagnostic& diagnostic);

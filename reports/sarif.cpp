@@ -49,6 +49,7 @@ class SarifWriter {
  private:
   void add_file(const FileReport& file) {
     for (const Diagnostic& finding : file.findings) add_finding(file, finding);
+    for (const Diagnostic& finding : file.waived) add_finding(file, finding);
     std::optional<Cones> cones;
     for (const ObligationResult& result : file.results) {
       if (result.verdict == Verdict::Proved) continue;
@@ -72,7 +73,19 @@ class SarifWriter {
       related.push_back(std::move(location));
     }
     if (!related.empty()) result["relatedLocations"] = std::move(related);
+    if (finding.waiver) result["suppressions"] = suppressions(*finding.waiver);
+    const bool known =
+        finding.waiver && finding.waiver->kind == Waiver::Kind::Baseline;
+    if (known) result["baselineState"] = "unchanged";
     results_.push_back(std::move(result));
+  }
+
+  /// A result that were left out would be closed and opened anew by a reader.
+  static Json suppressions(const Waiver& waiver) {
+    const bool in_source = waiver.kind == Waiver::Kind::InSource;
+    return Json::array({{{"kind", in_source ? "inSource" : "external"},
+                         {"status", "accepted"},
+                         {"justification", waiver.reason}}});
   }
 
   void add_result(const FileReport& file, const ObligationResult& result,
@@ -101,15 +114,17 @@ class SarifWriter {
       const SourceFile& source = (*report_.sources)[where.file];
       line = source.line(locator_.of(where).begin.line);
     }
-    return {{"ruleId", rule},
-            {"ruleIndex", index},
-            {"kind", "fail"},
-            {"level", level},
-            {"message", message(text)},
-            {"locations", Json::array({place(file, where)})},
-            {"partialFingerprints",
-             {{"primaryLocationLineHash",
-               fingerprints_.next(rule, path_of(file, where), line)}}}};
+    Json json = {{"ruleId", rule},
+                 {"ruleIndex", index},
+                 {"kind", "fail"},
+                 {"level", level},
+                 {"message", message(text)},
+                 {"locations", Json::array({place(file, where)})},
+                 {"partialFingerprints",
+                  {{"primaryLocationLineHash",
+                    fingerprints_.next(rule, path_of(file, where), line)}}}};
+    if (file.compared) json["baselineState"] = "new";
+    return json;
   }
 
   std::string path_of(const FileReport& file, const SourceRange& where) const {

@@ -37,7 +37,12 @@ std::string finding_counts(const Summary& summary) {
   add(summary.errors, "error");
   add(summary.warnings, "warning");
   add(summary.notes, "note");
-  return out.empty() ? "no findings" : out;
+  if (out.empty()) out = "no findings";
+  if (summary.allowed > 0) out += fmt::format(", {} allowed", summary.allowed);
+  if (summary.baselined > 0) {
+    out += fmt::format(", {} in the baseline", summary.baselined);
+  }
+  return out;
 }
 
 /// What the programs were taken to mean. Scripts have one meaning, that of

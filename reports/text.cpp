@@ -89,6 +89,7 @@ class TextWriter {
       out_ += diagnostic_text(*report_.sources, finding, paint_, locator_);
       out_ += '\n';
     }
+    if (detail_ == Detail::Verbose) write_waived(file);
     if (file.program) cones_.emplace(*file.program);
     for (const ObligationResult& result : file.results) {
       write_result(file, result);
@@ -97,6 +98,18 @@ class TextWriter {
     for (const SelfCheckFailure& failure : file.failures) {
       out_ += paint_(Ink::Error, "self-check failed") + ": " +
               printable(failure.obligation) + ": " + failure.what + "\n\n";
+    }
+  }
+
+  void write_waived(const FileReport& file) {
+    for (const Diagnostic& finding : file.waived) {
+      const bool in_source = finding.waiver->kind == Waiver::Kind::InSource;
+      out_ +=
+          place_of(finding.where) +
+          fmt::format(
+              "{}: {} {}: {}\n", in_source ? "allowed" : "in the baseline",
+              finding.code, rule_name(finding),
+              printable(in_source ? finding.waiver->reason : finding.message));
     }
   }
 

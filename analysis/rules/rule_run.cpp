@@ -27,6 +27,7 @@ RuleRun::RuleRun(const RuleContext& context, DiagnosticSink& sink,
       index(context.program, context.properties),
       latches(find_latches(context.program, index)),
       has_oracle(oracle_of(context, budget) != nullptr),
+      selection_(context.rules),
       too_large_(ts.exprs.size() > budget.largest_system),
       sink_(sink),
       oracle_(oracle_of(context, budget)),
@@ -52,14 +53,16 @@ bool RuleRun::names_made_cell(std::string_view message) const {
 
 void RuleRun::report(SourceRange where, std::string message, Details details) {
   if (names_made_cell(message)) return;
-  sink_.report(
-      {.code = rule_->code,
-       .severity = details.downgrade ? Severity::Note : rule_->severity,
-       .where = where,
-       .message = std::move(message),
-       .labels = std::move(details.labels),
-       .rule = rule_->name,
-       .help = std::move(details.help)});
+  sink_.report({.code = rule_->code,
+                .severity = details.downgrade
+                                ? Severity::Note
+                                : selection_.severity_of(*rule_).value_or(
+                                      rule_->severity),
+                .where = where,
+                .message = std::move(message),
+                .labels = std::move(details.labels),
+                .rule = rule_->name,
+                .help = std::move(details.help)});
 }
 
 void RuleRun::report(SourceRange where, std::string message) {

@@ -84,6 +84,7 @@ class RuleRun {
   void sample_proofs(std::vector<Evidence>& answers);
   void ask_oracle(std::vector<Evidence>& answers) const;
 
+  const RuleSelection& selection_;
   const bool too_large_;
   DiagnosticSink& sink_;
   Oracle* oracle_;

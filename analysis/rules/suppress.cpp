@@ -6,6 +6,7 @@
 
 #include "analysis/rules/rule_run.h"
 #include "analysis/rules/support.h"
+#include "base/text.h"
 
 namespace rung {
 namespace {
@@ -23,6 +24,7 @@ std::string_view trimmed(std::string_view text) {
 struct Permit {
   const Rule* rule = nullptr;
   std::string_view name;  // as written
+  std::string_view reason;
   SourceRange where;
   bool used = false;
 };
@@ -33,23 +35,33 @@ std::uint64_t key(SourceRange where, std::uint32_t line) {
   return std::uint64_t{where.file.index()} << 32 | line;
 }
 
-bool takes(std::vector<Permit>& permits, std::string_view code) {
-  for (Permit& permit : permits) {
+/// The first permit for such a finding; null when there is none.
+const Permit* take(PermitsByLine& all, std::uint64_t line,
+                   std::string_view code) {
+  const auto permits = all.find(line);
+  if (permits == all.end()) return nullptr;
+  for (Permit& permit : permits->second) {
     if (permit.rule == nullptr || permit.rule->code != code) continue;
     permit.used = true;
-    return true;
+    return &permit;
   }
-  return false;
+  return nullptr;
 }
 
-Diagnostic unused(const Permit& permit) {
+std::string nothing_called(std::string_view name) {
+  std::vector<std::string_view> known;
+  for (const Rule* rule : all_rules()) known.push_back(rule->name);
+  return "no rule is called " + quoted(name) + did_you_mean(name, known);
+}
+
+Diagnostic unused(const Permit& permit, Severity severity) {
   const std::string message = permit.rule == nullptr
-                                  ? "no rule is called " + quoted(permit.name)
+                                  ? nothing_called(permit.name)
                                   : "nothing to allow: no " +
                                         quoted(permit.rule->name) +
                                         " on this line or the next";
   return {.code = unused_allow.code,
-          .severity = unused_allow.severity,
+          .severity = severity,
           .where = permit.where,
           .message = message,
           .rule = unused_allow.name};
@@ -81,10 +93,13 @@ Allow parse_allow(const AstAnnotation& annotation) {
   return allow;
 }
 
-std::vector<Diagnostic> suppress(const RuleContext& context,
-                                 std::vector<Diagnostic> findings) {
+namespace {
+
+/// By line; `order` gets the lines as they come. A rule that is off may have
+/// had something to say there: its permits count as used.
+PermitsByLine read_permits(const RuleContext& context,
+                           std::vector<std::uint64_t>& order) {
   PermitsByLine permits;
-  std::vector<std::uint64_t> order;
   for (const AstAnnotation& annotation : context.program.annotations) {
     if (!is_allow(annotation.text)) continue;
     const Allow allow = parse_allow(annotation);
@@ -93,29 +108,43 @@ std::vector<Diagnostic> suppress(const RuleContext& context,
     const std::uint64_t line =
         key(allow.where, file.position(allow.where.begin).line);
     for (const std::string_view name : allow.rules) {
-      permits[line].push_back({find_rule(name), name, allow.where});
+      const Rule* const rule = find_rule(name);
+      const bool off = rule != nullptr && !context.rules.is_on(*rule);
+      permits[line].push_back({rule, name, allow.reason, allow.where, off});
     }
     order.push_back(line);
   }
-  if (order.empty()) return findings;
+  return permits;
+}
 
-  std::vector<Diagnostic> kept;
+}  // namespace
+
+std::vector<Diagnostic> suppress(const RuleContext& context,
+                                 std::vector<Diagnostic> findings) {
+  std::vector<std::uint64_t> order;
+  PermitsByLine permits = read_permits(context, order);
+  if (order.empty()) return findings;
   for (Diagnostic& finding : findings) {
     const std::uint32_t line =
         context.sources[finding.where.file].position(finding.where.begin).line;
-    const auto here = permits.find(key(finding.where, line));
-    const auto above = permits.find(key(finding.where, line - 1));
-    const bool allowed =
-        (here != permits.end() && takes(here->second, finding.code)) ||
-        (above != permits.end() && takes(above->second, finding.code));
-    if (!allowed) kept.push_back(std::move(finding));
+    const Permit* permit =
+        take(permits, key(finding.where, line), finding.code);
+    if (permit == nullptr) {
+      permit = take(permits, key(finding.where, line - 1), finding.code);
+    }
+    if (permit == nullptr) continue;
+    finding.waiver = {Waiver::Kind::InSource, std::string(permit->reason)};
   }
+  const std::optional<Severity> severity =
+      context.rules.severity_of(unused_allow);
+  if (!severity) return findings;
   for (const std::uint64_t line : order) {
     for (Permit& permit : permits[line]) {
-      if (!std::exchange(permit.used, true)) kept.push_back(unused(permit));
+      if (std::exchange(permit.used, true)) continue;
+      findings.push_back(unused(permit, *severity));
     }
   }
-  return kept;
+  return findings;
 }
 
 }  // namespace rung

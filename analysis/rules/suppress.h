@@ -18,8 +18,9 @@ struct Allow {
 bool is_allow(std::string_view annotation);
 Allow parse_allow(const AstAnnotation& annotation);
 
-/// Takes away the findings that an `allow` line with a reason covers: those on
-/// its line and on the next. Adds a finding for every line that covers none.
+/// Gives a waiver to the findings that an `allow` line with a reason covers:
+/// those on its line and on the next. Adds a finding for every line that covers
+/// none, if the rules that it names are on.
 std::vector<Diagnostic> suppress(const RuleContext& context,
                                  std::vector<Diagnostic> findings);
 

@@ -4,6 +4,7 @@
 //     finding CODE RULE SEVERITY /TEXT/ MESSAGE     TEXT: where, first match
 //     label /TEXT/ MESSAGE                          of the last finding
 //     help MESSAGE
+//     allowed REASON / baselined                    the last finding is waived
 //     violated NAME ENGINE STEP; STEP ...           a STEP: 100 x3 I0=1 I1=0
 //     proved NAME ENGINE LEMMA; LEMMA ...           of reach: steps
 //     bounded NAME ENGINE SCANS
@@ -175,6 +176,15 @@ class Scene {
       file_.findings.back().labels.push_back({where, line.rest()});
     } else if (word == "help") {
       file_.findings.back().help = line.rest();
+    } else if (word == "allowed" || word == "baselined") {
+      Diagnostic finding = file_.findings.back();
+      file_.findings.pop_back();
+      const bool in_source = word == "allowed";
+      finding.waiver = {
+          in_source ? Waiver::Kind::InSource : Waiver::Kind::Baseline,
+          in_source ? unescaped(line.rest()) : "in the baseline"};
+      file_.compared = file_.compared || !in_source;
+      file_.waived.push_back(std::move(finding));
     } else if (word == "note") {
       file_.notes.push_back(line.rest());
     } else if (word == "failure") {

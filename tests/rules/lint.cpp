@@ -49,7 +49,10 @@ Linted& lint(std::string_view text, Linted& linted,
           {linted.sources, program, properties, ts, oracle.get()}, sink);
     }
   }
-  linted.findings = sink.take();
+  for (Diagnostic& finding : sink.take()) {
+    (finding.waiver ? linted.waived : linted.findings)
+        .push_back(std::move(finding));
+  }
   return linted;
 }
 
@@ -61,6 +64,11 @@ bool has_finding(const Linted& linted, std::string_view rule) {
 
 std::string to_text(const Linted& linted) {
   std::string text;
+  for (const Diagnostic& finding : linted.waived) {
+    text += place(linted.sources, finding.where) + " allowed " +
+            std::string(finding.code) + " " + std::string(finding.rule) + ": " +
+            finding.waiver->reason + "\n";
+  }
   for (const Diagnostic& finding : linted.findings) {
     text += place(linted.sources, finding.where) + " " +
             std::string(to_string(finding.severity)) + " " +

@@ -14,6 +14,7 @@ namespace rung::testing {
 struct Linted {
   SourceSet sources;
   std::vector<Diagnostic> findings;  // of the readers too
+  std::vector<Diagnostic> waived;
   RuleSummary summary;
 };
 
