@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "app/build_identity.h"
+#include "app/config.h"
 #include "smt/verify.h"
 
 namespace rung {
@@ -19,9 +20,9 @@ constexpr std::string_view kSchema = "rungproof.answer/1";
 /// Options that change how an answer is shown and never what it is. All others
 /// are part of what was asked: one that is forgotten here costs time and is
 /// never wrong.
-constexpr std::string_view kOnlyShown[] = {"FILE",      "--cache",  "--color",
-                                           "--fail-on", "--format", "--jobs",
-                                           "--quiet",   "--verbose"};
+constexpr std::string_view kOnlyShown[] = {
+    "FILE",     "--baseline", "--cache", "--color",  "--fail-on",
+    "--format", "--jobs",     "--quiet", "--verbose"};
 
 bool is_only_shown(std::string_view option) {
   return std::find(std::begin(kOnlyShown), std::end(kOnlyShown), option) !=
@@ -100,9 +101,10 @@ std::variant<std::unique_ptr<AnswerCache>, std::string> AnswerCache::open(
 AnswerCache::Question AnswerCache::question(const SourceSet& sources,
                                             const FileReport& loaded,
                                             FileId properties,
-                                            std::string_view preset) const {
+                                            std::string_view preset,
+                                            const Options& options) const {
   Hasher hasher;
-  hasher.add(common_).add(preset);
+  hasher.add(common_).add(preset).add(settings_text(options));
   hasher.add(loaded.language).add(loaded.dialect).add(loaded.semantics);
   hasher.add(sources[loaded.file].text());
   hasher.add(properties.has_value() ? sources[properties].text() : "");

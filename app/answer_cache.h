@@ -36,9 +36,11 @@ class AnswerCache {
     AnswerFiles files;
     std::size_t first_note = 0;  // of those that loading did not make
   };
-  /// `preset`: as Session::load() was asked for it.
+  /// `preset`: as Session::load() was asked for it. `options`: those of the
+  /// program, with its configuration.
   Question question(const SourceSet& sources, const FileReport& loaded,
-                    FileId properties, std::string_view preset) const;
+                    FileId properties, std::string_view preset,
+                    const Options& options) const;
 
   /// Puts the answer into `report`, and says whether there is one.
   bool find(const Question& question, FileReport& report);

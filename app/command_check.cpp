@@ -10,6 +10,8 @@
 
 #include "analysis/rule.h"
 #include "app/answer_cache.h"
+#include "app/baselines.h"
+#include "app/check_run.h"
 #include "app/commands.h"
 #include "app/lint.h"
 #include "app/output.h"
@@ -134,10 +136,10 @@ class CheckRun {
     report_.fail_on = options.fail_on;
     report_.self_check = options.self_check;
     report_.linted = options.command != "prove";
-    report_.proved = options.command != "lint";
+    report_.proved = options.command == "check" || options.command == "prove";
   }
 
-  const Report& run() {
+  Report& run() {
     list_readings();
     const std::size_t count = readings_.size();
     report_.files.resize(count);
@@ -190,14 +192,17 @@ class CheckRun {
   FileReport check(std::size_t reading) {
     const std::size_t index = readings_[reading].input;
     const std::string_view preset = readings_[reading].semantics;
+    const Options& options = session_.options_of(index);
     Loaded loaded = session_.load(session_.inputs()[index], preset);
+    loaded.report.fail_on = options.fail_on;
     if (!loaded.program) return std::move(loaded.report);
-    if (cache_ == nullptr) {
+    if (cache_ == nullptr || !options.recheck.empty()) {
       answer(index, loaded);
       return std::move(loaded.report);
     }
-    const AnswerCache::Question question = cache_->question(
-        session_.sources(), loaded.report, session_.properties_file(), preset);
+    const AnswerCache::Question question =
+        cache_->question(session_.sources(), loaded.report,
+                         session_.properties_file(), preset, options);
     if (cache_->find(question, loaded.report)) {
       select_properties(loaded.report);
     } else {
@@ -216,7 +221,9 @@ class CheckRun {
   void answer(std::size_t index, Loaded& loaded) {
     const VerifyOptions options = session_.verify_options(index);
     if (report_.linted) {
-      lint(session_.sources(), *loaded.program, loaded.report, options);
+      const Options& wanted = session_.options_of(index);
+      lint(session_.sources(), *loaded.program, loaded.report, options,
+           make_selection(wanted.packs, wanted.rules));
     }
     if (report_.proved) {
       const PropertySet all = loaded.report.properties;
@@ -249,10 +256,20 @@ void warn_of_cache(const AnswerCache& cache) {
 
 }  // namespace
 
+Report lint_inputs(Session& session) {
+  CheckRun run(session, nullptr, nullptr);
+  return std::move(run.run());
+}
+
 int run_check(const Options& options) {
   Session session(options);
   if (session.error()) return usage_error(*session.error());
   // What is missing is said before anything is proved.
+  std::optional<Baselines> baselines;
+  if (options.command != "prove") {
+    baselines.emplace(session, false);
+    if (baselines->error()) return usage_error(*baselines->error());
+  }
   std::optional<boards::Emulator> emulator;
   if (!options.replay_on.empty()) {
     emulator.emplace(*boards::find_board(options.replay_on));
@@ -266,7 +283,8 @@ int run_check(const Options& options) {
   }
   AnswerCache* const kept = std::get<std::unique_ptr<AnswerCache>>(cache).get();
   CheckRun run(session, emulator ? &*emulator : nullptr, kept);
-  const Report& report = run.run();
+  Report& report = run.run();
+  if (baselines) baselines->apply(report);
   const int status = emit(report, options);
   if (kept != nullptr) warn_of_cache(*kept);
   const std::string missing = missing_properties(report, options);

@@ -12,6 +12,8 @@ int run_lower(const Options& options);
 int run_export(const Options& options);
 int run_simulation(const Options& options);
 int run_render(const Options& options);
+int run_baseline(const Options& options);
+int run_config(const Options& options);
 int run_rule(const Options& options);
 int run_upload(const Options& options);
 int run_monitor(const Options& options);

@@ -102,13 +102,16 @@ bool has_known_ending(const fs::path& path) {
 
 /// The scripts below `directory`; `error` when some of it cannot be read.
 std::vector<std::string> scripts_below(const std::string& directory,
+                                       const FileFilter& wanted,
                                        std::error_code& error) {
   std::vector<std::string> found;
   fs::recursive_directory_iterator at(directory, error);
   while (!error && at != fs::recursive_directory_iterator()) {
     std::error_code ignored;
-    if (has_known_ending(at->path()) && !at->is_directory(ignored)) {
-      found.push_back(at->path().string());
+    std::string path = at->path().string();
+    if (!at->is_directory(ignored) &&
+        wanted(path, has_known_ending(at->path()))) {
+      found.push_back(std::move(path));
     }
     at.increment(error);
   }
@@ -116,10 +119,10 @@ std::vector<std::string> scripts_below(const std::string& directory,
   return found;
 }
 
-void read_directory(const std::string& path, SourceSet& sources,
-                    std::vector<Input>& inputs) {
+void read_directory(const std::string& path, const FileFilter& wanted,
+                    SourceSet& sources, std::vector<Input>& inputs) {
   std::error_code error;
-  const std::vector<std::string> scripts = scripts_below(path, error);
+  const std::vector<std::string> scripts = scripts_below(path, wanted, error);
   for (const std::string& script : scripts) {
     inputs.push_back(read_input(script, sources));
   }
@@ -173,17 +176,23 @@ Input read_committed(const std::string& revision, const std::string& path,
 }
 
 std::vector<Input> read_inputs(const std::vector<std::string>& paths,
-                               SourceSet& sources) {
+                               const FileFilter& wanted, SourceSet& sources) {
   std::vector<Input> inputs;
   for (const std::string& path : paths) {
     std::error_code ignored;
     if (path != "-" && fs::is_directory(path, ignored)) {
-      read_directory(path, sources, inputs);
+      read_directory(path, wanted, sources, inputs);
     } else {
       inputs.push_back(read_input(path, sources));
     }
   }
   return inputs;
+}
+
+std::string working_directory() {
+  std::error_code error;
+  const fs::path path = fs::current_path(error);
+  return error ? std::string() : path.string();
 }
 
 }  // namespace rung

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -26,10 +27,17 @@ Input read_input(const std::string& path, SourceSet& sources);
 Input read_committed(const std::string& revision, const std::string& path,
                      SourceSet& sources);
 
+/// Is a file below a directory to be read? `known`: its ending is that of a
+/// program.
+using FileFilter = std::function<bool(const std::string& path, bool known)>;
+
 /// The same for each path; a directory stands for the programs below it, by the
 /// endings of their names, in sorted order. One without any is an error: RP072.
 std::vector<Input> read_inputs(const std::vector<std::string>& paths,
-                               SourceSet& sources);
+                               const FileFilter& wanted, SourceSet& sources);
+
+/// Where relative paths start; empty when that cannot be found out.
+std::string working_directory();
 
 /// An error about a whole file.
 Diagnostic file_error(FileId file, std::string_view code, std::string message);

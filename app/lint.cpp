@@ -10,7 +10,7 @@
 namespace rung {
 
 void lint(const SourceSet& sources, const Program& program, FileReport& report,
-          const VerifyOptions& options) {
+          const VerifyOptions& options, const RuleSelection& rules) {
   TransitionSystem ts = build_transition_system(program);
   PropertySet assumptions;
   assumptions.assumptions = report.properties.assumptions;
@@ -21,9 +21,9 @@ void lint(const SourceSet& sources, const Program& program, FileReport& report,
       std::min(oracle_options.seconds, options.budget.seconds);
   SolverOracle oracle(program, ts, oracle_options);
   DiagnosticList found;
-  const RuleSummary summary =
-      run_rules({sources, program, report.properties, ts, &oracle}, found);
-  report.findings = found.take();
+  const RuleSummary summary = run_rules(
+      {sources, program, report.properties, ts, &oracle, rules}, found);
+  take_findings(found.take(), report);
   if (summary.undecided > 0) {
     report.notes.push_back(fmt::format(
         "{} of the {} questions of the solver-decided rules are left open, and "

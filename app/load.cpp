@@ -69,6 +69,18 @@ void check_dialect(const Input& input, const Language& language,
   }
 }
 
+/// A configuration speaks for many programs: what it says of the meaning of
+/// other languages says nothing of this one.
+Options fitting(const Language& language, Options options) {
+  const auto drop = [&](const char* key, std::string& value) {
+    const bool meant = language.has_preset(value);
+    if (options.configured.contains(key) && !meant) value.clear();
+  };
+  drop("semantics", options.semantics);
+  drop("dialect", options.dialect);
+  return options;
+}
+
 /// What the options ask for; what they leave open, the text decides.
 ReadOptions choose_reading(const Input& input, const Language& language,
                            const Options& options, DiagnosticSink& sink) {
@@ -138,7 +150,8 @@ std::shared_ptr<Program> build(const Input& input, const Options& options,
   const Language* language = choose_language(input, options, text, errors);
   if (language == nullptr) return nullptr;
   report.language = language->name;
-  const ReadOptions reading = choose_reading(input, *language, options, errors);
+  const Options fit = fitting(*language, options);  // `reading` points into it
+  const ReadOptions reading = choose_reading(input, *language, fit, errors);
   if (errors.has_errors()) return nullptr;
   const Ast ast = language->read(sources, input.file, reading, errors);
   report.dialect = ast.dialect;
@@ -156,7 +169,9 @@ std::shared_ptr<Program> build(const Input& input, const Options& options,
   if (errors.has_errors()) return nullptr;
   // The command line has the last word over `//@ scan` lines, and what counts
   // scans of the time that its file says over both.
-  if (options.scan) program->scan = *options.scan;
+  if (options.scan && !options.configured.contains("scan")) {
+    program->scan = *options.scan;
+  }
   if (ast.dialect == "ldmicro") {
     program->scan = {ast.scan_min_ms, ast.scan_max_ms};
   }

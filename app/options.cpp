@@ -4,7 +4,6 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <charconv>
 #include <cstdio>
 #include <filesystem>
 #include <string_view>
@@ -27,48 +26,14 @@ struct RawOptions {
   std::string self_check = "on";
   std::vector<std::string> map;
   std::vector<std::string> inject;
+  std::vector<std::string> packs;
+  std::vector<std::string> rules;
   bool quiet = false;
   bool verbose = false;
   std::string file;  // of a command with one, and more arguments behind it
   std::string scans;
   std::string dt;
 };
-
-/// A whole number and nothing else.
-std::optional<std::int64_t> whole_number(std::string_view text) {
-  std::int64_t value = 0;
-  const auto [end, error] =
-      std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc{} || end != text.data() + text.size()) return {};
-  return value;
-}
-
-/// A value that is wrong: the option and what it should have been.
-[[noreturn]] void refuse(std::string_view option, std::string_view value,
-                         std::string_view expected) {
-  throw CLI::ValidationError(
-      fmt::format("{}: `{}` is not {}", option, value, expected),
-      CLI::ExitCodes::ValidationError);
-}
-
-constexpr std::int64_t kMaxScanMs = 2147483647;
-
-/// `1..100`, also with a unit as the property line has it: `1..100ms`.
-ScanInterval parse_scan(std::string text) {
-  const std::string written = text;
-  const std::string_view expected =
-      "MIN..MAX in whole milliseconds, 1 <= MIN <= MAX <= 2147483647";
-  if (text.ends_with("ms")) text.resize(text.size() - 2);
-  while (text.ends_with(' ')) text.pop_back();
-  const std::size_t dots = text.find("..");
-  if (dots == std::string::npos) refuse("--scan", written, expected);
-  const auto low = whole_number(std::string_view(text).substr(0, dots));
-  const auto high = whole_number(std::string_view(text).substr(dots + 2));
-  if (!low || !high || *low < 1 || *low > *high || *high > kMaxScanMs) {
-    refuse("--scan", written, expected);
-  }
-  return {*low, *high};
-}
 
 FormatRequest parse_format(const std::string& text) {
   const std::size_t colon = text.find(':');
@@ -77,20 +42,21 @@ FormatRequest parse_format(const std::string& text) {
   return {text.substr(0, colon), text.substr(colon + 1)};
 }
 
+RuleSetting parse_rule(const std::string& text) {
+  const std::size_t equals = text.find('=');
+  if (equals == std::string::npos) {
+    refuse("--rule", text, "of the form NAME=SEVERITY");
+  }
+  return parse_rule_setting("--rule", text.substr(0, equals),
+                            text.substr(equals + 1));
+}
+
 std::pair<std::string, std::string> parse_map(const std::string& text) {
   const std::size_t equals = text.find('=');
   if (equals == std::string::npos || equals == 0 || equals + 1 == text.size()) {
     refuse("--map", text, "of the form a=b");
   }
   return {text.substr(0, equals), text.substr(equals + 1)};
-}
-
-Severity parse_severity(const std::string& text) {
-  for (const Severity severity :
-       {Severity::Note, Severity::Warning, Severity::Error}) {
-    if (to_string(severity) == text) return severity;
-  }
-  refuse("--fail-on", text, "one of note, warning, error");
 }
 
 ColourMode parse_colour(const std::string& text) {
@@ -104,16 +70,6 @@ bool parse_switch(std::string_view option, const std::string& text) {
   if (text == "on") return true;
   if (text == "off") return false;
   refuse(option, text, "one of on, off");
-}
-
-void check_engine(const std::string& name) {
-  if (name.empty()) return;
-  std::string known;
-  for (const EngineInfo& engine : engines()) {
-    if (engine.name == name) return;
-    known += fmt::format("{}{}", known.empty() ? "" : ", ", engine.name);
-  }
-  refuse("--engine", name, "one of " + known);
 }
 
 void check_board(const std::string& name) {
@@ -130,9 +86,9 @@ void check_texts(const RawOptions& raw, Options& options) {
     options.formats.push_back(parse_format(format));
   }
   if (!raw.file.empty()) options.files = {raw.file};
-  if (!raw.scan.empty()) options.scan = parse_scan(raw.scan);
+  if (!raw.scan.empty()) options.scan = parse_scan("--scan", raw.scan);
   for (const std::string& map : raw.map) options.map.push_back(parse_map(map));
-  options.fail_on = parse_severity(raw.fail_on);
+  options.fail_on = parse_severity("--fail-on", raw.fail_on);
   options.colour = parse_colour(raw.colour);
   options.self_check = parse_switch("--self-check", raw.self_check);
   if (raw.quiet && raw.verbose) refuse("--quiet", "-v", "together with it");
@@ -158,16 +114,36 @@ void check_texts(const RawOptions& raw, Options& options) {
       refuse("--inject", what, "one of wrong-invariant, wrong-trace");
     }
   }
-  if (!options.recheck.empty() && options.recheck != "cvc5" &&
-      options.recheck != "z3") {
-    refuse("--recheck", options.recheck, "a checker that is known: cvc5, z3");
+  check_recheck("--recheck", options.recheck);
+  check_timeout("--timeout", options.timeout);
+  check_engine("--engine", options.engine);
+  if (options.no_config && !options.config.empty()) {
+    refuse("--no-config", "--config", "together with it");
   }
-  if (!(options.timeout > 0) || options.timeout > 1e9) {
-    refuse("--timeout", fmt::format("{}", options.timeout),
-           "a number of seconds above 0");
+  if (!raw.packs.empty()) options.packs.clear();
+  for (const std::string& pack : raw.packs) {
+    options.packs.push_back(parse_pack("--pack", pack));
   }
-  check_engine(options.engine);
+  for (const std::string& rule : raw.rules) {
+    options.rules.push_back(parse_rule(rule));
+  }
   check_board(options.replay_on);
+}
+
+/// What rungproof.toml says, too, and where that is.
+void add_lint_options(CLI::App& app, RawOptions& raw, Options& options) {
+  app.add_option("--config", options.config,
+                 "this configuration; else the nearest rungproof.toml");
+  app.add_flag("--no-config", options.no_config, "no configuration");
+  app.add_option("--pack", raw.packs,
+                 "rules of this pack only; repeatable: default, safety, "
+                 "pedantic")
+      ->allow_extra_args(false);
+  app.add_option("--rule", raw.rules,
+                 "NAME=SEVERITY, repeatable: off, note, warning, error")
+      ->allow_extra_args(false);
+  app.add_option("--baseline", options.baseline,
+                 "findings that are in this file do not count");
 }
 
 void add_common(CLI::App& app, RawOptions& raw, Options& options) {
@@ -194,6 +170,7 @@ void add_common(CLI::App& app, RawOptions& raw, Options& options) {
       ->check(CLI::Range(1U, 1024U));
   app.add_option("--fail-on", raw.fail_on,
                  "exit 1 for findings from here: note, warning, error");
+  add_lint_options(app, raw, options);
   app.add_option("--color", raw.colour, "auto, always, never");
   app.add_flag("--quiet,-q", raw.quiet, "problems only");
   app.add_flag("--verbose,-v", raw.verbose, "a line for every obligation");
@@ -327,13 +304,27 @@ void add_commands(CLI::App& app, RawOptions& raw, Options& options) {
   add_files(render, options, 1, 1);
   render->add_flag("--ascii", options.ascii, "no box-drawing characters");
   add_links(app, raw, options);
+  CLI::App* baseline = add_command(
+      app, "baseline", "findings that are known: write, prune, check");
+  baseline->add_option("ACTION", options.action, "write, prune or check")
+      ->required()
+      ->check(CLI::IsMember({"write", "prune", "check"}));
+  add_files(baseline, options, 1, kMany);
+  baseline->add_flag("--accept-new", options.accept_new,
+                     "write: also what the baseline does not have yet");
+  CLI::App* config =
+      add_command(app, "config", "the configuration of a file, and its origin");
+  config->add_option("ACTION", options.action, "show")
+      ->required()
+      ->check(CLI::IsMember({"show"}));
+  config->add_option("FILE", raw.file, "a program; else any of this directory");
   CLI::App* rule = add_command(app, "rule", "what a lint rule finds, and why");
   rule->add_option("CODE", options.rule, "a code or a name; else a list");
 }
 
 constexpr std::string_view kCommandNames[] = {
-    "check", "lint",   "prove",  "equiv", "bound",  "lower",
-    "run",   "export", "render", "rule",  "upload", "monitor"};
+    "check",  "lint",   "prove",    "equiv",  "bound", "lower",  "run",
+    "export", "render", "baseline", "config", "rule",  "upload", "monitor"};
 
 /// CLI11 would say that a command is missing, and not which ones there are.
 std::optional<std::string> unknown_command(int argc, char** argv) {
@@ -402,6 +393,9 @@ std::variant<Options, int> parse_options(int argc, char** argv) {
     note_given(command, options);
     check_texts(raw, options);
     return options;
+  } catch (const BadValue& error) {
+    return usage_error(std::string(error.what()) +
+                       "\nRun with --help for more information.");
   } catch (const CLI::Success& done) {
     return app.exit(done);
   } catch (const CLI::Error& error) {

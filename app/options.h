@@ -2,12 +2,14 @@
 
 #include <cstdint>
 #include <optional>
+#include <set>
 #include <string>
 #include <utility>
 #include <variant>
 #include <vector>
 
 #include "analysis/program.h"
+#include "app/option_values.h"
 #include "base/diagnostic.h"
 #include "reports/text.h"
 
@@ -45,6 +47,14 @@ struct Options {
   std::string engine;
   unsigned jobs = 1;
   Severity fail_on = Severity::Warning;
+  std::set<std::string> configured;  // what a configuration says
+  std::string config;                // empty: the nearest rungproof.toml
+  bool no_config = false;
+  std::vector<Pack> packs = {Pack::Default};
+  std::vector<RuleSetting> rules;  // the last one about a rule counts
+  std::string baseline;            // empty: none
+  bool accept_new = false;         // baseline write
+  std::string action;              // config, baseline: `show`, `write`...
   ColourMode colour = ColourMode::Auto;
   TextOptions::Detail detail = TextOptions::Detail::Normal;
   bool self_check = true;
@@ -80,6 +90,9 @@ struct Options {
   bool clear_outputs = false;
   std::string rule;
 };
+
+/// Does the command line say it? `option` without its dashes.
+bool is_given(const Options& options, std::string_view option);
 
 /// Exit codes of the program; interfaces.md has what they mean.
 inline constexpr int kExitUsage = 2;

@@ -27,6 +27,7 @@ std::optional<std::string> make_directory(const std::string& path) {
 
 Session::Session(const Options& options)
     : options_(options),
+      finder_(options),
       progress_(options.detail != TextOptions::Detail::Quiet) {
   error_ = check_formats(options);
   if (!error_) error_ = make_directory(options.certificates);
@@ -58,26 +59,51 @@ Session::Session(const Options& options)
     inputs_.push_back(
         read_committed(options.revision, options.files.front(), sources_));
   }
-  for (Input& input : read_inputs(options.files, sources_)) {
+  const FileFilter wanted = [this](const std::string& path, bool known) {
+    const Config* const config = finder_.of(path);
+    return config == nullptr ? known : is_wanted(*config, path, known);
+  };
+  for (Input& input : read_inputs(options.files, wanted, sources_)) {
     inputs_.push_back(std::move(input));
   }
+  read_configurations();
+}
+
+void Session::read_configurations() {
+  configured_.emplace(nullptr, options_);
+  const bool committed = !options_.revision.empty();
+  for (const Input& input : inputs_) {
+    const Config* const config =
+        finder_.of(committed ? options_.files.front() : input.path);
+    const auto found = configured_.find(config);
+    if (found != configured_.end()) {
+      effective_.push_back(&found->second);
+      continue;
+    }
+    const auto added =
+        configured_.emplace(config, with_config(options_, *config)).first;
+    effective_.push_back(&added->second);
+  }
+  error_ = finder_.error();
 }
 
 Loaded Session::load(const Input& input, std::string_view semantics) const {
-  if (semantics.empty()) return rung::load(input, options_, extra_, sources_);
-  Options other = options_;
+  const Options& options = options_of(index_of(input));
+  if (semantics.empty()) return rung::load(input, options, extra_, sources_);
+  Options other = options;
   other.semantics = semantics;
   return rung::load(input, other, extra_, sources_);
 }
 
 VerifyOptions Session::verify_options(std::size_t index) {
   VerifyOptions verify;
-  verify.budget.seconds = options_.timeout;
-  verify.engine = options_.engine;
+  const Options& options = options_of(index);
+  verify.budget.seconds = options.timeout;
+  verify.engine = options.engine;
   const auto files = static_cast<unsigned>(inputs_.size());
   verify.jobs = std::max(1U, options_.jobs / std::max(1U, files));
   verify.self_check = options_.self_check;
-  verify.recheck = options_.recheck;
+  verify.recheck = options.recheck;
   verify.smtlib_directory = options_.certificates;
   if (!options_.certificates.empty() && inputs_.size() > 1) {
     const std::string name = fmt::format(
@@ -91,12 +117,6 @@ VerifyOptions Session::verify_options(std::size_t index) {
   verify.inject_wrong_trace = options_.inject_wrong_trace;
   verify.progress = progress_.of(inputs_[index].path);
   return verify;
-}
-
-std::string working_directory() {
-  std::error_code error;
-  const fs::path path = fs::current_path(error);
-  return error ? std::string() : path.string();
 }
 
 }  // namespace rung

@@ -5,6 +5,7 @@
 #include <map>
 #include <optional>
 
+#include "reports/baseline.h"
 #include "reports/cone.h"
 #include "reports/explain.h"
 #include "reports/fingerprint.h"
@@ -48,8 +49,10 @@ class SarifWriter {
 
  private:
   void add_file(const FileReport& file) {
-    for (const Diagnostic& finding : file.findings) add_finding(file, finding);
-    for (const Diagnostic& finding : file.waived) add_finding(file, finding);
+    // In the order of the source, so that a waiver changes no fingerprint.
+    for (const Diagnostic& finding : all_findings(file)) {
+      add_finding(file, finding);
+    }
     std::optional<Cones> cones;
     for (const ObligationResult& result : file.results) {
       if (result.verdict == Verdict::Proved) continue;

@@ -3,11 +3,11 @@
 
 _rungproof() {
   local current=${COMP_WORDS[COMP_CWORD]} previous=${COMP_WORDS[COMP_CWORD-1]}
-  local commands="check lint prove equiv bound lower export run render rule upload monitor"
+  local commands="check lint prove equiv bound lower export run render baseline config rule upload monitor"
   local common="--help --version --format --scan --semantics --rollover --stable-inputs --pou --dialect
     --language --props --timeout --engine --jobs --fail-on --color --quiet
     --verbose --property --self-check --recheck --certificates --map
-    --explain --cache"
+    --explain --cache --config --no-config --pack --rule --baseline"
   local command= word
   for word in "${COMP_WORDS[@]:1:COMP_CWORD-1}"; do
     [[ " $commands " == *" $word "* ]] && { command=$word; break; }
@@ -29,6 +29,7 @@ _rungproof() {
       COMPREPLY=($(compgen -W "bmc induction pdr simulation" -- "$current")) ;;
     --fail-on)
       COMPREPLY=($(compgen -W "note warning error" -- "$current")) ;;
+    --pack) COMPREPLY=($(compgen -W "default safety pedantic" -- "$current")) ;;
     --color) COMPREPLY=($(compgen -W "auto always never" -- "$current")) ;;
     --replay-on) COMPREPLY=($(compgen -W "uno yun arm" -- "$current")) ;;
     --self-check) COMPREPLY=($(compgen -W "on off" -- "$current")) ;;
@@ -38,7 +39,7 @@ _rungproof() {
       [[ $command == export ]] && targets="aiger btor2 chc"
       COMPREPLY=($(compgen -W "$targets" -- "$current")) ;;
     --certificates|--cache) COMPREPLY=($(compgen -d -- "$current")) ;;
-    --scan|--timeout|--jobs|--property|--map|--scans|--dt|--rung|--delay|--git|--tcp|--wait) ;;
+    --scan|--timeout|--rule|--jobs|--property|--map|--scans|--dt|--rung|--delay|--git|--tcp|--wait) ;;
     --baud)
       local speeds="9600 19200 38400 57600 115200 230400 500000 1000000"
       COMPREPLY=($(compgen -W "$speeds" -- "$current")) ;;
@@ -46,6 +47,7 @@ _rungproof() {
       if [[ $previous != --props && $current == -* ]]; then
         case $command in
           prove) common+=" --sweep --replay-on" ;;
+          baseline) common+=" --accept-new" ;;
           equiv) common+=" --rung --delay --settled --git" ;;
           lower) common+=" --to --output --binary --header --report" ;;
           export) common+=" --to --output" ;;

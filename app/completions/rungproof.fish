@@ -1,7 +1,7 @@
 # fish completion of rungproof; tests/app/manual_test.cpp compares it with the
 # options that the program has.
 
-set -l commands check lint prove equiv bound lower export run render rule upload monitor
+set -l commands check lint prove equiv bound lower export run render baseline config rule upload monitor
 complete -c rungproof -f -n "not __fish_seen_subcommand_from $commands" -a check -d 'findings and proofs, one report'
 complete -c rungproof -f -n "not __fish_seen_subcommand_from $commands" -a lint -d 'findings only'
 complete -c rungproof -f -n "not __fish_seen_subcommand_from $commands" -a prove -d 'properties only'
@@ -13,6 +13,8 @@ complete -c rungproof -f -n "not __fish_seen_subcommand_from $commands" -a run -
 complete -c rungproof -f -n "not __fish_seen_subcommand_from $commands" -a render -d 'draw the ladder'
 complete -c rungproof -f -n "not __fish_seen_subcommand_from $commands" -a upload -d 'replace the program of a running controller'
 complete -c rungproof -f -n "not __fish_seen_subcommand_from $commands" -a monitor -d 'the values in a running controller'
+complete -c rungproof -f -n "not __fish_seen_subcommand_from $commands" -a baseline -d 'findings that are known'
+complete -c rungproof -f -n "not __fish_seen_subcommand_from $commands" -a config -d 'the configuration of a file'
 complete -c rungproof -f -n "not __fish_seen_subcommand_from $commands" -a rule -d 'what a lint rule finds, and why'
 complete -c rungproof -s h -l help -d 'print help'
 complete -c rungproof -l version -d 'print versions'
@@ -37,6 +39,12 @@ complete -c rungproof -l self-check -x -a 'on off' -d 'replay traces, re-check c
 complete -c rungproof -l recheck -x -a 'cvc5 z3' -d 're-check certificates with it as well'
 complete -c rungproof -l certificates -r -F -d 'write certificates into it'
 complete -c rungproof -l cache -r -F -d 'keep answers in it, or on, off'
+complete -c rungproof -l config -r -F -d 'this configuration'
+complete -c rungproof -l no-config -d 'no configuration'
+complete -c rungproof -l pack -x -a 'default safety pedantic' -d 'rules of this pack only'
+complete -c rungproof -l rule -x -d 'NAME=SEVERITY'
+complete -c rungproof -l baseline -r -F -d 'findings that are in it do not count'
+complete -c rungproof -n '__fish_seen_subcommand_from baseline' -l accept-new -d 'also what the baseline does not have yet'
 complete -c rungproof -l explain -d 'why it is violated, and proofs in words'
 complete -c rungproof -l map -x -d 'a=b: signal a of the first is b'
 complete -c rungproof -n '__fish_seen_subcommand_from prove' -l sweep -d 'under every preset of semantics that fits'
