@@ -6,6 +6,7 @@
 #include <array>
 #include <nlohmann/json.hpp>
 
+#include "app/controller.h"
 #include "app/link_client.h"
 #include "base/postfix_format.h"
 #include "reports/unicode.h"
@@ -39,15 +40,9 @@ std::string value_text(const BoardImage::Cell& cell) {
 }  // namespace
 
 BoardImage::BoardImage(const std::string& program) {
-  const auto* const bytes =
-      reinterpret_cast<const std::uint8_t*>(program.data());
-  const auto length = static_cast<std::uint32_t>(program.size());
-  std::vector<std::uint32_t> memory(
-      rungproof::Machine::memory_words(bytes, length));
-  rungproof::Machine machine;
-  const auto refusal = machine.begin(bytes, length, memory.data(),
-                                     static_cast<std::uint32_t>(memory.size()));
-  if (refusal != rungproof::Refusal::None) return;
+  LoadedMachine loaded(program);
+  if (loaded.refusal != rungproof::Refusal::None) return;
+  rungproof::Machine& machine = loaded.machine;
   bits_ = machine.bit_count();
   checksum_ = frame_number_at(program, postfix::ChecksumField);
   cells_.resize(machine.cell_count());

@@ -53,17 +53,6 @@ std::optional<std::string> check_target(const Options& options) {
                      did_you_mean(options.to, names));
 }
 
-/// Says why the lowered program is not left on disk: a fault of ours, or a
-/// proof that did not come to an end.
-int refuse(const Validation& validation) {
-  fmt::print(stderr,
-             "rungproof: {}the lowered program is not proved equivalent to its "
-             "source, so it is not written: {}\n",
-             validation.status == kExitInternal ? "internal error: " : "",
-             validation.reason);
-  return validation.status;
-}
-
 bool to_standard_output(const Options& options) {
   return options.output.empty() || options.output == "-";
 }
@@ -108,7 +97,9 @@ int deliver(const Program& program, const std::string& text,
             const Options& options) {
   if (options.report) {
     DiagnosticList known;  // it has been lowered before
-    const auto bytes = lower_to_postfix_binary(program, known);
+    const auto bytes = options.binary || options.header
+                           ? text
+                           : lower_to_postfix_binary(program, known);
     if (!bytes || !print_out(controller_report(*bytes))) return kExitUsage;
     if (options.output.empty()) return 0;
   }
@@ -150,7 +141,7 @@ int run_lower(const Options& options) {
       target->write != nullptr
           ? validate_written(*loaded.program, *written, options)
           : validate_translation(*loaded.program, written->text, options);
-  if (validation.status != 0) return refuse(validation);
+  if (validation.status != 0) return unproved(validation, "it is not written");
   return deliver(*loaded.program, written->text, options);
 }
 

@@ -55,10 +55,7 @@ class Monitor {
   int status_ = 0;
 };
 
-int Monitor::failed() {
-  usage_error(client_.failure().message);
-  return client_.failure().status;
-}
+int Monitor::failed() { return link_error(client_.failure()); }
 
 bool Monitor::open(const Board& board) {
   const auto program = client_.read_program(board);
@@ -147,10 +144,7 @@ int run_monitor(const Options& options) {
         "monitor writes the formats text and jsonl, to standard output");
   }
   Connection connection = connect(options);
-  if (!connection.client) {
-    usage_error(connection.failure.message);
-    return connection.failure.status;
-  }
+  if (!connection.client) return link_error(connection.failure);
   std::signal(SIGINT, interrupt);
   std::signal(SIGTERM, interrupt);
   return Monitor(*connection.client, options, *view).run(connection.board);

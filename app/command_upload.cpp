@@ -1,12 +1,12 @@
 #include <fmt/format.h>
 
 #include "app/commands.h"
+#include "app/controller.h"
 #include "app/link_client.h"
 #include "app/output.h"
 #include "app/session.h"
 #include "app/translation.h"
 #include "backend/postfix/lower.h"
-#include "rungproof_machine.h"
 
 namespace rung {
 namespace {
@@ -28,17 +28,7 @@ std::variant<std::string, int> lowered(Session& session) {
   const Validation validation =
       validate_translation(*loaded.program, *bytes, options);
   if (validation.status == 0) return std::move(*bytes);
-  fmt::print(stderr,
-             "rungproof: {}the lowered program is not proved equivalent to its "
-             "source, so it is not sent: {}\n",
-             validation.status == kExitInternal ? "internal error: " : "",
-             validation.reason);
-  return validation.status;
-}
-
-int board_error(const LinkFailure& failure) {
-  usage_error(failure.message);
-  return failure.status;
+  return unproved(validation, "it is not sent");
 }
 
 /// What the board would say, before anything is sent.
@@ -48,9 +38,7 @@ std::string too_large(const std::string& program, const Board& board) {
         "the program has {} bytes, and the board `{}` takes {} at most",
         program.size(), board.name, board.capacity);
   }
-  const std::uint32_t words = rungproof::Machine::memory_words(
-      reinterpret_cast<const std::uint8_t*>(program.data()),
-      static_cast<std::uint32_t>(program.size()));
+  const std::uint32_t words = LoadedMachine::memory_words(program);
   if (words > board.memory_words) {
     return fmt::format(
         "the program needs {} bytes of memory, and the board `{}` has {}",
@@ -62,17 +50,17 @@ std::string too_large(const std::string& program, const Board& board) {
 
 int send(const std::string& program, const Options& options) {
   Connection connection = connect(options);
-  if (!connection.client) return board_error(connection.failure);
+  if (!connection.client) return link_error(connection.failure);
   const Board& board = connection.board;
   const std::string large = too_large(program, board);
-  if (!large.empty()) return board_error({kExitBoard, large});
+  if (!large.empty()) return link_error({kExitBoard, large});
   Progress progress(options.detail != TextOptions::Detail::Quiet);
   const bool done = connection.client->upload(
       program, options.clear_outputs, [&](std::size_t sent) {
         progress.show(fmt::format("{}: {} of {} bytes", board.name, sent,
                                   program.size()));
       });
-  if (!done) return board_error(connection.client->failure());
+  if (!done) return link_error(connection.client->failure());
   if (options.detail == TextOptions::Detail::Quiet) return 0;
   const bool stores = (board.flags & rungproof::kLinkStores) != 0;
   return print_out(fmt::format(

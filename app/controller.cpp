@@ -14,13 +14,31 @@ namespace {
 
 constexpr std::uint64_t kCyclesAMillisecond = 16'000;
 
+const std::uint8_t* bytes_of(const std::string& bytes) {
+  return reinterpret_cast<const std::uint8_t*>(bytes.data());
+}
+
+std::uint32_t length_of(const std::string& bytes) {
+  return static_cast<std::uint32_t>(bytes.size());
+}
+
+/// What a sketch's controller needs: the machine's memory, and pins.
 std::uint32_t memory_words(const std::string& bytes) {
-  return rungproof::Controller::memory_words(
-      reinterpret_cast<const std::uint8_t*>(bytes.data()),
-      static_cast<std::uint32_t>(bytes.size()));
+  return rungproof::Controller::memory_words(bytes_of(bytes), length_of(bytes));
 }
 
 }  // namespace
+
+LoadedMachine::LoadedMachine(const std::string& program)
+    : memory(memory_words(program)) {
+  refusal = machine.begin(bytes_of(program), length_of(program), memory.data(),
+                          static_cast<std::uint32_t>(memory.size()));
+}
+
+std::uint32_t LoadedMachine::memory_words(const std::string& program) {
+  return rungproof::Machine::memory_words(bytes_of(program),
+                                          length_of(program));
+}
 
 std::string controller_header(const std::string& bytes,
                               const Options& options) {

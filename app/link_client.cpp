@@ -90,6 +90,11 @@ std::string refusal_message(const std::string& program,
 
 }  // namespace
 
+int link_error(const LinkFailure& failure) {
+  usage_error(failure.message);
+  return failure.status;
+}
+
 std::string frame_number(std::uint32_t value) {
   std::uint8_t bytes[4];
   rungproof::put32(bytes, value);

@@ -37,6 +37,8 @@ struct LinkFailure {
   std::string message;
 };
 inline constexpr int kExitBoard = 1;
+/// Prints it, and returns its exit code.
+int link_error(const LinkFailure& failure);
 
 /// The host's end of docs/link.md: one request at a time, asked again until it
 /// is answered or `seconds` have passed.

@@ -9,9 +9,9 @@
 #include <utility>
 #include <vector>
 
+#include "app/controller.h"
 #include "app/load.h"
 #include "frontend/postfix/reader.h"
-#include "rungproof_machine.h"
 #include "smt/translation.h"
 
 namespace rung {
@@ -74,17 +74,11 @@ std::optional<Program> read_back(std::string written, SourceSet& sources,
 
 /// Whether the controller's own loader takes the bytes; else its refusal.
 std::string refusal_of(const std::string& bytes) {
-  const auto* program = reinterpret_cast<const std::uint8_t*>(bytes.data());
-  const auto length = static_cast<std::uint32_t>(bytes.size());
-  std::vector<std::uint32_t> memory(
-      rungproof::Machine::memory_words(program, length));
-  rungproof::Machine machine;
-  const rungproof::Refusal refusal =
-      machine.begin(program, length, memory.data(),
-                    static_cast<std::uint32_t>(memory.size()));
-  if (refusal == rungproof::Refusal::None) return {};
+  const LoadedMachine loaded(bytes);
+  if (loaded.refusal == rungproof::Refusal::None) return {};
   return fmt::format("the machine refuses it ({}) at byte {}",
-                     static_cast<int>(refusal), machine.refused_at());
+                     static_cast<int>(loaded.refusal),
+                     loaded.machine.refused_at());
 }
 
 std::string first_difference(const EquivalenceResult& result) {
@@ -185,6 +179,15 @@ Validation validate_written(const Program& source,
                         equivalence_options(options));
   if (!check.lost.empty()) return {kExitInternal, check.lost, ""};
   return answer(check.result);
+}
+
+int unproved(const Validation& validation, std::string_view consequence) {
+  fmt::print(stderr,
+             "rungproof: {}the lowered program is not proved equivalent to its "
+             "source, so {}: {}\n",
+             validation.status == kExitInternal ? "internal error: " : "",
+             consequence, validation.reason);
+  return validation.status;
 }
 
 }  // namespace rung

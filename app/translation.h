@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 
 #include "analysis/program.h"
 #include "app/options.h"
@@ -30,5 +31,10 @@ Validation validate_translation(const Program& source,
 Validation validate_written(const Program& source,
                             const backend::Written& written,
                             const Options& options);
+
+/// Prints why a translation goes no further (`consequence`: "it is not
+/// written"): a fault of ours, or a proof that did not come to an end.
+/// Returns the exit code.
+int unproved(const Validation& validation, std::string_view consequence);
 
 }  // namespace rung

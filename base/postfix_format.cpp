@@ -91,6 +91,21 @@ const ElementCode* find_kind(std::string_view kind_id) {
   });
 }
 
+std::uint32_t read_number(std::string_view bytes, std::size_t at, int size) {
+  std::uint32_t number = 0;
+  for (int i = size; i-- > 0;) {
+    number = (number << 8) | static_cast<unsigned char>(
+                                 bytes[at + static_cast<std::size_t>(i)]);
+  }
+  return number;
+}
+
+void append_number(std::string& bytes, std::uint64_t value, int size) {
+  for (int byte = 0; byte < size; ++byte) {
+    bytes += static_cast<char>(static_cast<unsigned char>(value >> (8 * byte)));
+  }
+}
+
 std::uint32_t checksum(std::string_view file) {
   std::uint32_t crc = 0xffff'ffff;
   for (std::size_t at = 0; at < file.size(); ++at) {

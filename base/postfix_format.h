@@ -116,6 +116,11 @@ inline constexpr std::array<std::string_view, 3> kDialects = {"none", "yun",
 inline constexpr std::array<std::string_view, 3> kRoles = {"input", "output",
                                                            "memory"};
 
+/// Numbers of a file: `size` bytes, the lowest first. Those that are read are
+/// there.
+std::uint32_t read_number(std::string_view bytes, std::size_t at, int size);
+void append_number(std::string& bytes, std::uint64_t value, int size);
+
 /// CRC-32 of a file: of all its bytes but those of the checksum itself.
 std::uint32_t checksum(std::string_view file);
 

@@ -4,6 +4,7 @@
 #include <array>
 #include <utility>
 
+#include "analysis/execute.h"
 #include "analysis/explanation.h"
 #include "boards/stop.h"
 
@@ -40,9 +41,7 @@ bool must_stop_at(const Program& program, const Stimulus& stimulus,
                   std::uint64_t scan) {
   Simulator simulator(program);
   for (const StimulusStep& step : stimulus.steps) {
-    for (std::size_t i = 0; i < step.inputs.size(); ++i) {
-      simulator.set_input(stimulus.inputs[i], step.inputs[i]);
-    }
+    set_inputs(simulator, stimulus, step);
     for (std::uint64_t done = 0; done < step.repeat; ++done) {
       simulator.scan(step.dt_ms);
       const bool stops = machine_stops(program, simulator);

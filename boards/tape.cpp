@@ -5,14 +5,13 @@
 
 #include "backend/postfix/listing.h"
 #include "backend/postfix/lower.h"
+#include "base/postfix_format.h"
 
 namespace rung::boards {
 namespace {
 
 void append_word(std::string& bytes, std::uint64_t value) {
-  for (int shift = 0; shift < 32; shift += 8) {
-    bytes += static_cast<char>(static_cast<unsigned char>(value >> shift));
-  }
+  postfix::append_number(bytes, value, 4);
 }
 
 void append_size(std::string& bytes, std::size_t size) {

@@ -166,26 +166,29 @@ class EquivalenceCheck {
 
   // --- without a solver ------------------------------------------------------
 
+  /// Checks what a proof takes from the structure; false when it failed.
+  bool structure_is_right() {
+    if (!options_.self_check) return true;
+    const std::string wrong =
+        check_correspondence({ts_a_, ts_b_, shared_}, structure_);
+    if (!wrong.empty()) fail(wrong);
+    return wrong.empty();
+  }
+
   /// States that are shown equal on the way stay in proved_.
   bool equal_by_structure(const std::vector<StatePair>& guesses) {
     const TwoSystems systems{ts_a_, ts_b_, shared_};
-    const Correspondence found = correspond(systems, guesses);
-    proved_.states = found.states;
-    proved_.choices = shared_choices(systems, found.states);
-    if (options_.self_check) {
-      const std::string wrong = check_correspondence(systems, found);
-      if (!wrong.empty()) {
-        fail(wrong);
-        return true;
-      }
-    }
+    structure_ = correspond(systems, guesses);
+    proved_.states = structure_.states;
+    proved_.choices = shared_choices(systems, structure_.states);
     // Where one program leaves the range of the encoding, so does the other, in
     // the same scan, from equal operands of the same operator.
-    const bool decided = found.outputs_equal && found.faults_equal;
+    const bool decided = structure_.outputs_equal && structure_.faults_equal;
     if (!decided || comparison_.delay > 0) return false;
+    if (!structure_is_right()) return true;
     Certificate certificate;
     if (options_.self_check) certificate.checked_by.emplace_back("structure");
-    for (const StatePair& pair : found.states) {
+    for (const StatePair& pair : structure_.states) {
       certificate.lemmas.push_back(lemma(pair));
     }
     equivalent("structure");
@@ -417,6 +420,7 @@ class EquivalenceCheck {
     for (const LemmaClause& clause : invariant.lemmas) {
       certificate.lemmas.push_back(to_string(whole.ts, clause));
     }
+    if (!structure_is_right()) return;
     if (options_.self_check) {
       CertificateSession session;
       const CertificateReport report =
@@ -472,7 +476,8 @@ class EquivalenceCheck {
   TransitionSystem ts_a_;
   TransitionSystem ts_b_;
   std::vector<StatePair> by_name_;
-  Merged proved_;  // equal in every scan, by structure
+  Correspondence structure_;  // checked where a proof rests on it
+  Merged proved_;             // its states and choices
   EquivalenceResult result_;
 };
 

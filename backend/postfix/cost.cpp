@@ -68,15 +68,6 @@ constexpr std::uint32_t kWideCycles = 99;
 // Reading and writing a bit leave the fast loop when the address is wide.
 constexpr std::uint32_t kWideBitCycles = 361;
 
-std::uint64_t number(std::string_view binary, std::size_t at,
-                     std::size_t size) {
-  std::uint64_t value = 0;
-  for (std::size_t byte = size; byte-- != 0;) {
-    value = value << 8 | static_cast<unsigned char>(binary[at + byte]);
-  }
-  return value;
-}
-
 std::uint8_t byte_at(std::string_view binary, std::size_t at) {
   return static_cast<std::uint8_t>(binary[at]);
 }
@@ -139,12 +130,14 @@ std::uint32_t avr_cycles(std::uint8_t opcode, bool wide) {
 PostfixCost cost_of_postfix(std::string_view binary) {
   PostfixCost cost;
   cost.bytes = binary.size();
-  cost.code_bytes = number(binary, postfix::CodeField, 4);
-  cost.bit_stack = number(binary, postfix::BitStackField, 2);
-  cost.word_stack = number(binary, postfix::WordStackField, 2);
-  const std::size_t bits = number(binary, postfix::BitsField, 2);
-  const std::size_t words = number(binary, postfix::WordsField, 2);
-  const std::size_t slot_count = number(binary, postfix::SlotsField, 2);
+  cost.code_bytes = postfix::read_number(binary, postfix::CodeField, 4);
+  cost.bit_stack = postfix::read_number(binary, postfix::BitStackField, 2);
+  cost.word_stack = postfix::read_number(binary, postfix::WordStackField, 2);
+  const std::size_t bits = postfix::read_number(binary, postfix::BitsField, 2);
+  const std::size_t words =
+      postfix::read_number(binary, postfix::WordsField, 2);
+  const std::size_t slot_count =
+      postfix::read_number(binary, postfix::SlotsField, 2);
   const std::size_t slots =
       postfix::kHeaderBytes + bits + (1 + postfix::kRangeBytes) * words;
   const std::size_t code = slots + postfix::kSlotBytes * slot_count;

@@ -7,15 +7,10 @@
 namespace rung {
 namespace {
 
+using postfix::append_number;
 using postfix::ElementCode;
 using postfix::Instruction;
 using postfix::Opcode;
-
-void append(std::string& bytes, std::uint64_t value, int size) {
-  for (int byte = 0; byte < size; ++byte) {
-    bytes += static_cast<char>(static_cast<unsigned char>(value >> (8 * byte)));
-  }
-}
 
 void append(std::string& bytes, Opcode opcode) {
   bytes += static_cast<char>(opcode);
@@ -23,7 +18,7 @@ void append(std::string& bytes, Opcode opcode) {
 
 void put(std::string& bytes, std::size_t at, std::uint64_t value, int size) {
   std::string field;
-  append(field, value, size);
+  append_number(field, value, size);
   bytes.replace(at, field.size(), field);
 }
 
@@ -93,7 +88,7 @@ class CodeWriter {
         return write_element(instruction);
       case Kind::Skip:
         append(code, instruction.opcode);
-        append(code, 0, 2);  // filled in where it lands
+        append_number(code, 0, 2);  // filled in where it lands
         open_.push_back(code.size());
         return take(1, 0, 0, 0);
       case Kind::Joined:
@@ -118,7 +113,7 @@ class CodeWriter {
     write_addressed(static_cast<Opcode>(instruction.element->opcode),
                     instruction.address);
     if (instruction.element->preset != ElementCode::Preset::None) {
-      append(code, as_bits(instruction.value), 4);
+      append_number(code, as_bits(instruction.value), 4);
     }
     take(instruction.element->bits_in, 0, 1, 0);
   }
@@ -127,14 +122,14 @@ class CodeWriter {
     const bool wide = address > 0xff;
     if (wide) append(code, Opcode::Wide);
     append(code, opcode);
-    append(code, address, wide ? 2 : 1);
+    append_number(code, address, wide ? 2 : 1);
   }
 
   void write_push(std::int64_t value) {
     const bool byte = value >= -0x80 && value < 0x80;
     const bool two = value >= -0x8000 && value < 0x8000;
     append(code, byte ? Opcode::Push8 : two ? Opcode::Push16 : Opcode::Push32);
-    append(code, as_bits(value), byte ? 1 : two ? 2 : 4);
+    append_number(code, as_bits(value), byte ? 1 : two ? 2 : 4);
   }
 
   void take(std::size_t bits_in, std::size_t words_in, std::size_t bits_out,
@@ -160,19 +155,20 @@ void append_tables(std::string& file, const Program& program,
   for (const CellId id : listing.cells) {
     const Cell& cell = program.cells[id];
     const bool set = cell.type == Type::Bit && cell.initial != 0;
-    append(file,
-           static_cast<unsigned>(cell.role) | (set ? postfix::kInitialBit : 0U),
-           1);
+    append_number(
+        file,
+        static_cast<unsigned>(cell.role) | (set ? postfix::kInitialBit : 0U),
+        1);
   }
   for (std::size_t i = listing.bit_count; i < listing.cells.size(); ++i) {
     const Cell& cell = program.cells[listing.cells[i]];
-    append(file, as_bits(cell.initial), 4);
-    append(file, as_bits(cell.low), 4);
-    append(file, as_bits(cell.high), 4);
+    append_number(file, as_bits(cell.initial), 4);
+    append_number(file, as_bits(cell.low), 4);
+    append_number(file, as_bits(cell.high), 4);
   }
   for (const Instance& instance : program.instances) {
-    append(file, instance.kind->operations.front().opcode, 1);
-    append(file, as_bits(instance.index), 4);
+    append_number(file, instance.kind->operations.front().opcode, 1);
+    append_number(file, as_bits(instance.index), 4);
   }
 }
 
@@ -181,7 +177,7 @@ std::string name_section(const Program& program,
   std::string names;
   for (const CellId id : listing.cells) {
     const std::string& name = program.cells[id].name;
-    append(names, name.size(), 1);
+    append_number(names, name.size(), 1);
     names += name;
   }
   return names;
@@ -190,7 +186,7 @@ std::string name_section(const Program& program,
 std::string note_section(const postfix::Listing& listing) {
   std::string notes;
   for (const std::string_view note : listing.notes) {
-    append(notes, note.size(), 2);
+    append_number(notes, note.size(), 2);
     notes += note;
   }
   return notes;
@@ -199,16 +195,16 @@ std::string note_section(const postfix::Listing& listing) {
 void append_header(std::string& file, const Program& program,
                    const postfix::Listing& listing) {
   file += postfix::kMagic;
-  append(file, postfix::kVersion, 2);
+  append_number(file, postfix::kVersion, 2);
   const bool skips = program.evaluation == Evaluation::ShortCircuit;
-  append(file, skips ? postfix::kShortCircuitFlag : 0U, 1);
-  append(file, listing.dialect, 1);
-  append(file, 0, 8);  // length and checksum, when they are known
-  append(file, as_bits(program.scan.min_ms), 4);
-  append(file, as_bits(program.scan.max_ms), 4);
-  append(file, listing.bit_count, 2);
-  append(file, listing.cells.size() - listing.bit_count, 2);
-  append(file, program.instances.size(), 2);
+  append_number(file, skips ? postfix::kShortCircuitFlag : 0U, 1);
+  append_number(file, listing.dialect, 1);
+  append_number(file, 0, 8);  // length and checksum, when they are known
+  append_number(file, as_bits(program.scan.min_ms), 4);
+  append_number(file, as_bits(program.scan.max_ms), 4);
+  append_number(file, listing.bit_count, 2);
+  append_number(file, listing.cells.size() - listing.bit_count, 2);
+  append_number(file, program.instances.size(), 2);
 }
 
 }  // namespace
@@ -224,12 +220,12 @@ std::optional<std::string> lower_to_postfix_binary(const Program& program,
 
   std::string file;
   append_header(file, program, *listing);
-  append(file, writer.most_bits, 2);
-  append(file, writer.most_words, 2);
-  append(file, writer.most_open, 2);
-  append(file, writer.code.size(), 4);
-  append(file, names.size(), 4);
-  append(file, notes.size(), 4);
+  append_number(file, writer.most_bits, 2);
+  append_number(file, writer.most_words, 2);
+  append_number(file, writer.most_open, 2);
+  append_number(file, writer.code.size(), 4);
+  append_number(file, names.size(), 4);
+  append_number(file, notes.size(), 4);
   append_tables(file, program, *listing);
   file += writer.code;
   file += names;

@@ -343,15 +343,6 @@ class CodeReader {
 
 }  // namespace
 
-std::uint32_t read_number(std::string_view bytes, std::size_t at, int size) {
-  std::uint32_t number = 0;
-  for (int i = size; i-- > 0;) {
-    number = (number << 8) | static_cast<unsigned char>(
-                                 bytes[at + static_cast<std::size_t>(i)]);
-  }
-  return number;
-}
-
 std::int64_t read_signed(std::string_view bytes, std::size_t at, int size) {
   const std::int64_t number = read_number(bytes, at, size);
   const std::int64_t sign = std::int64_t{1} << (8 * size - 1);

@@ -45,8 +45,7 @@ struct Binary {
   std::size_t cell_count() const { return std::size_t{bit_count} + word_count; }
 };
 
-/// Little-endian, `size` bytes at `at`, which are there.
-std::uint32_t read_number(std::string_view bytes, std::size_t at, int size);
+/// A number with a sign, as postfix::read_number reads one without.
 std::int64_t read_signed(std::string_view bytes, std::size_t at, int size);
 
 /// Verifies the code and appends it to `text`, one rung a line.
