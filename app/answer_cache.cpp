@@ -4,15 +4,18 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <filesystem>
 #include <iterator>
 #include <utility>
 
 #include "app/build_identity.h"
 #include "app/config.h"
-#include "smt/verify.h"
+#include "app/known_proofs.h"
 
 namespace rung {
 namespace {
+
+namespace fs = std::filesystem;
 
 /// Of what is written, and of what it is filed under.
 constexpr std::string_view kSchema = "rungproof.answer/1";
@@ -24,9 +27,14 @@ constexpr std::string_view kOnlyShown[] = {
     "FILE",     "--baseline", "--cache", "--color",  "--fail-on",
     "--format", "--jobs",     "--quiet", "--verbose"};
 
-bool is_only_shown(std::string_view option) {
-  return std::find(std::begin(kOnlyShown), std::end(kOnlyShown), option) !=
-         std::end(kOnlyShown);
+/// Options that what is decided for good does not depend on either: a budget, a
+/// choice of what is asked, and what slices have in them.
+constexpr std::string_view kOnlySelect[] = {"--property", "--props", "--sweep",
+                                            "--timeout"};
+
+template <std::size_t N>
+bool is_one_of(std::string_view option, const std::string_view (&list)[N]) {
+  return std::find(std::begin(list), std::end(list), option) != std::end(list);
 }
 
 /// Answers with effects outside of a report, from a program that may be another
@@ -49,14 +57,30 @@ std::string users_directory() {
   return home.empty() ? std::string() : home + "/.cache/rungproof";
 }
 
-Digest common_key(const Options& options, const Digest& build) {
+Hasher tool(const Digest& build) {
   Hasher hasher;
-  hasher.add(kSchema).add(build).add(options.command);
+  hasher.add(kSchema).add(build);
   for (const auto& [name, version] : solver_versions()) {
     hasher.add(name).add(version);
   }
+  return hasher;
+}
+
+Digest key_of_answers(const Options& options, const Digest& build) {
+  Hasher hasher = tool(build);
+  hasher.add("answer").add(options.command);
   for (const auto& [name, value] : options.given) {
-    if (!is_only_shown(name)) hasher.add(name).add(value);
+    if (!is_one_of(name, kOnlyShown)) hasher.add(name).add(value);
+  }
+  return hasher.finish();
+}
+
+Digest key_of_proofs(const Options& options, const Digest& build) {
+  Hasher hasher = tool(build);
+  hasher.add("proofs");
+  for (const auto& [name, value] : options.given) {
+    if (is_one_of(name, kOnlyShown) || is_one_of(name, kOnlySelect)) continue;
+    hasher.add(name).add(value);
   }
   return hasher.finish();
 }
@@ -73,7 +97,9 @@ std::string cache_directory(const Options& options) {
 
 AnswerCache::AnswerCache(const Options& options, ResultStore store,
                          const Digest& build)
-    : store_(std::move(store)), common_(common_key(options, build)) {}
+    : store_(std::move(store)),
+      answers_(key_of_answers(options, build)),
+      proofs_(key_of_proofs(options, build)) {}
 
 AnswerCache::~AnswerCache() {
   if (has_written_) store_.trim();
@@ -104,7 +130,7 @@ AnswerCache::Question AnswerCache::question(const SourceSet& sources,
                                             std::string_view preset,
                                             const Options& options) const {
   Hasher hasher;
-  hasher.add(common_).add(preset).add(settings_text(options));
+  hasher.add(answers_).add(preset).add(settings_text(options));
   hasher.add(loaded.language).add(loaded.dialect).add(loaded.semantics);
   hasher.add(sources[loaded.file].text());
   hasher.add(properties.has_value() ? sources[properties].text() : "");
@@ -120,7 +146,34 @@ void AnswerCache::keep(const Question& question, const FileReport& report) {
   const std::optional<std::string> bytes =
       pack_answer(report, question.first_note, question.files);
   if (!bytes) return;
-  const std::optional<std::string> error = store_.keep(question.key, *bytes);
+  write(question.key, *bytes);
+}
+
+VerifyReport AnswerCache::verify(const FileReport& report,
+                                 std::string_view preset,
+                                 const Options& settings,
+                                 const VerifyOptions& options) {
+  const Program& program = *report.program;
+  std::error_code error;
+  const fs::path path = fs::absolute(report.path, error);
+  if (report.path == "-" || error) {
+    return rung::verify(program, report.properties, options);
+  }
+  Hasher hasher;
+  hasher.add(proofs_).add(preset).add(settings_text(settings));
+  hasher.add(path.lexically_normal().string());
+  hasher.add(report.language).add(report.dialect).add(report.semantics);
+  const Digest key = hasher.finish();
+  const std::string before = store_.find(key).value_or("");
+  std::string known = before;
+  KnownProofs proofs =
+      verify_unknown(program, report.properties, options, known);
+  if (known != before) write(key, known);
+  return std::move(proofs.report);
+}
+
+void AnswerCache::write(const Digest& key, std::string_view bytes) {
+  const std::optional<std::string> error = store_.keep(key, bytes);
   const std::lock_guard<std::mutex> lock(mutex_);
   has_written_ = true;
   if (error) failure_ = *error;

@@ -13,6 +13,7 @@
 #include "app/text_pool.h"
 #include "base/source.h"
 #include "reports/report.h"
+#include "smt/verify.h"
 
 namespace rung {
 
@@ -49,14 +50,22 @@ class AnswerCache {
   /// question. One whose self-check failed is never kept.
   void keep(const Question& question, const FileReport& report);
 
+  /// As verify(), on the properties of `report`. Of the program that was at its
+  /// path before, it takes over what is about the same slices.
+  VerifyReport verify(const FileReport& report, std::string_view preset,
+                      const Options& settings, const VerifyOptions& options);
+
   /// Why entries could not be written; empty: they were.
   std::string failure() const;
 
  private:
   AnswerCache(const Options& options, ResultStore store, const Digest& build);
 
+  void write(const Digest& key, std::string_view bytes);
+
   ResultStore store_;
-  Digest common_;  // of all that programs of one run have in common
+  Digest answers_;  // of all that programs of one run have in common
+  Digest proofs_;   // the same, of what is decided for good
   TextPool texts_;
   mutable std::mutex mutex_;
   bool has_written_ = false;

@@ -3,6 +3,7 @@
 #include <elf.h>
 #include <link.h>
 
+#include <cstdint>
 #include <cstring>
 #include <string>
 #include <string_view>
@@ -44,10 +45,10 @@ int add_object(dl_phdr_info* object, std::size_t /*size*/, void* data) {
   for (std::size_t i = 0; i < object->dlpi_phnum; ++i) {
     const ElfW(Phdr)& segment = object->dlpi_phdr[i];
     if (segment.p_type != PT_NOTE) continue;
+    const std::uintptr_t address = object->dlpi_addr + segment.p_vaddr;
     // The loader tells addresses as numbers.
     // NOLINTNEXTLINE(performance-no-int-to-ptr)
-    const auto* const at =
-        reinterpret_cast<const char*>(object->dlpi_addr + segment.p_vaddr);
+    const auto* const at = reinterpret_cast<const char*>(address);
     const std::string_view id = build_id({at, segment.p_memsz});
     if (id.empty()) continue;
     found.hasher.add(id);

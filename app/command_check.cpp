@@ -93,12 +93,14 @@ void replay(const Program& program, const boards::Emulator& emulator,
   }
 }
 
-/// Of `all` properties, those that the report has.
+/// Of `all` properties, those that the report has. `decide`: as verify().
+template <class Decide>
 void prove(const Program& program, const PropertySet& all, FileReport& report,
-           const Options& options, const VerifyOptions& verify_options) {
+           const Options& options, const VerifyOptions& verify_options,
+           const Decide& decide) {
   VerifyOptions some = verify_options;
   some.wanted = wanted_by(options.properties);
-  VerifyReport answer = verify(program, report.properties, some);
+  VerifyReport answer = decide(some);
   report.results = std::move(answer.results);
   report.failures = std::move(answer.failures);
   if (options.explain) explain(program, all, options, verify_options, report);
@@ -196,8 +198,8 @@ class CheckRun {
     Loaded loaded = session_.load(session_.inputs()[index], preset);
     loaded.report.fail_on = options.fail_on;
     if (!loaded.program) return std::move(loaded.report);
-    if (cache_ == nullptr || !options.recheck.empty()) {
-      answer(index, loaded);
+    if (!may_know(options)) {
+      answer(reading, loaded);
       return std::move(loaded.report);
     }
     const AnswerCache::Question question =
@@ -206,10 +208,15 @@ class CheckRun {
     if (cache_->find(question, loaded.report)) {
       select_properties(loaded.report);
     } else {
-      answer(index, loaded);
+      answer(reading, loaded);
       cache_->keep(question, loaded.report);
     }
     return std::move(loaded.report);
+  }
+
+  /// A checker of another program is asked each time.
+  bool may_know(const Options& options) const {
+    return cache_ != nullptr && options.recheck.empty();
   }
 
   void select_properties(FileReport& report) const {
@@ -218,7 +225,8 @@ class CheckRun {
         select(std::move(report.properties), session_.options().properties);
   }
 
-  void answer(std::size_t index, Loaded& loaded) {
+  void answer(std::size_t reading, Loaded& loaded) {
+    const std::size_t index = readings_[reading].input;
     const VerifyOptions options = session_.verify_options(index);
     if (report_.linted) {
       const Options& wanted = session_.options_of(index);
@@ -228,7 +236,15 @@ class CheckRun {
     if (report_.proved) {
       const PropertySet all = loaded.report.properties;
       select_properties(loaded.report);
-      prove(*loaded.program, all, loaded.report, session_.options(), options);
+      FileReport& report = loaded.report;
+      const auto decide = [&](const VerifyOptions& some) {
+        const Options& own = session_.options_of(index);
+        return may_know(own)
+                   ? cache_->verify(report, readings_[reading].semantics, own,
+                                    some)
+                   : verify(*loaded.program, report.properties, some);
+      };
+      prove(*loaded.program, all, report, session_.options(), options, decide);
       if (emulator_ != nullptr) {
         replay(*loaded.program, *emulator_, options.budget.seconds,
                loaded.report);

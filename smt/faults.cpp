@@ -5,10 +5,7 @@
 #include "smt/bit_blast.h"
 
 namespace rung {
-namespace {
 
-/// The comparisons at the top of a fault's condition: its value is clamped by
-/// the same ones, so they are in the cone of all that reads it.
 std::vector<ExprId> comparisons(const TransitionSystem& ts, ExprId condition) {
   std::vector<ExprId> found;
   std::vector<ExprId> stack = {condition};
@@ -23,8 +20,6 @@ std::vector<ExprId> comparisons(const TransitionSystem& ts, ExprId condition) {
   }
   return found;
 }
-
-}  // namespace
 
 std::unordered_set<ExprId> dependencies(const TransitionSystem& ts,
                                         ExprId root) {

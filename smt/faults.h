@@ -15,6 +15,10 @@ namespace rung {
 std::unordered_set<ExprId> dependencies(const TransitionSystem& ts,
                                         ExprId root);
 
+/// The comparisons at the top of a fault's condition: its value is clamped by
+/// the same ones, so they are in the cone of all that reads it.
+std::vector<ExprId> comparisons(const TransitionSystem& ts, ExprId condition);
+
 /// The faults whose number `root` depends on: indices, ascending.
 std::vector<std::size_t> faults_under(const TransitionSystem& ts, ExprId root);
 
