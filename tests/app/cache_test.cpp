@@ -345,7 +345,13 @@ const std::vector<OptionRow>& option_rows() {
       {"--timeout 30", Effect::Selects},
       {"--engine pdr", Effect::Asks},
       {"--jobs 3", Effect::Shows},
-      {"--fail-on error", Effect::Shows},
+      // Each file may have its own, in a configuration: it is part of that.
+      {"--fail-on error", Effect::Asks},
+      {"--config other.toml", Effect::Asks},
+      {"--no-config", Effect::Asks},
+      {"--pack pedantic", Effect::Asks},
+      {"--rule double-coil=off", Effect::Asks},
+      {"--baseline known.json", Effect::Shows},
       {"--color always", Effect::Shows},
       {"--quiet", Effect::Shows},
       {"--verbose", Effect::Shows},
@@ -398,6 +404,11 @@ TEST(Cache, KeepsAnswersOfEveryOptionApart) {
   const Sandbox sandbox;
   write_text(sandbox.path() / "motor.rung", kMotor);
   write_text(sandbox.path() / "one.props", "never Q1 && Q0 && I1\n");
+  write_text(sandbox.path() / "other.toml", "[check]\nscan = \"1..7\"\n");
+  EXPECT_EQ(sandbox.run("rungproof baseline write motor.rung "
+                        "--baseline known.json"),
+            0)
+      << sandbox.err();
   for (const OptionRow& row : option_rows()) {
     SCOPED_TRACE(row.use);
     fs::remove_all(sandbox.path() / "c");
