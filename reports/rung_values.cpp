@@ -25,9 +25,11 @@ struct Note {
 };
 
 /// Executes the trace's inputs; false when that would take too long.
-bool run(const Program& program, const Trace& trace, Simulator& simulator) {
+bool run(const Program& program, const Trace& trace, Simulator& simulator,
+         const StepVisitor& at_step) {
   std::uint64_t affordable = kMaxExecutedRungs / (program.rungs.size() + 1);
-  for (const Trace::Step& step : trace.steps) {
+  for (std::size_t i = 0; i < trace.steps.size(); ++i) {
+    const Trace::Step& step = trace.steps[i];
     if (step.values.size() != program.cells.size()) return false;
     for (const CellId id : ids_of(program.cells)) {
       if (program.cells[id].role == CellRole::Input) {
@@ -36,6 +38,7 @@ bool run(const Program& program, const Trace& trace, Simulator& simulator) {
     }
     if (!run_scans(simulator, step.repeat, step.dt_ms, affordable))
       return false;
+    at_step(i, simulator);
   }
   return true;
 }
@@ -99,8 +102,15 @@ void draw_line(std::string_view line, std::size_t line_begin,
 std::unique_ptr<Simulator> run_again(const Program& program,
                                      const Trace& trace) {
   auto simulator = std::make_unique<Simulator>(program);
-  if (!run(program, trace, *simulator)) return nullptr;
+  const StepVisitor nothing = [](std::size_t, const Simulator&) {};
+  if (!run(program, trace, *simulator, nothing)) return nullptr;
   return simulator;
+}
+
+bool run_again(const Program& program, const Trace& trace,
+               const StepVisitor& at_step) {
+  Simulator simulator(program);
+  return run(program, trace, simulator, at_step);
 }
 
 std::string draw_rung_values(const RungValues& values, const Painter& paint,

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -17,6 +18,12 @@ namespace rung {
 /// the run is too long to be executed again for that, or is none of `program`.
 std::unique_ptr<Simulator> run_again(const Program& program,
                                      const Trace& trace);
+
+/// The same, and `at_step` is called behind the last scan of each step, with
+/// the step's index.
+using StepVisitor = std::function<void(std::size_t, const Simulator&)>;
+bool run_again(const Program& program, const Trace& trace,
+               const StepVisitor& at_step);
 
 /// Rungs with the value of each operand under it, as the simulator has them in
 /// the last scan of `trace`:

@@ -20,25 +20,6 @@ bool same_line(const Trace::Step& a, const Trace::Step& b,
          });
 }
 
-/// Steps that differ only in what has no column are one line.
-Trace merged(const Trace& trace, const std::vector<CellId>& signals) {
-  Trace result;
-  for (std::size_t i = 0; i < trace.steps.size(); ++i) {
-    const Trace::Step& step = trace.steps[i];
-    const bool loop = trace.loop == i;
-    if (loop) result.loop = result.steps.size();
-    const bool again = !loop && !result.steps.empty() &&
-                       same_line(result.steps.back(), step, signals);
-    if (!again) {
-      result.steps.push_back(step);
-      continue;
-    }
-    result.steps.back().scan = step.scan;
-    result.steps.back().repeat += step.repeat;
-  }
-  return result;
-}
-
 using Line = ScanGrid::Line;
 
 std::vector<Line> lines_of(const Trace& trace) {
@@ -163,9 +144,27 @@ std::string draw_scan_table(const ScanTable& table, const Painter& paint) {
   return out;
 }
 
+Trace scan_lines(const Trace& trace, const std::vector<CellId>& signals) {
+  Trace result;
+  for (std::size_t i = 0; i < trace.steps.size(); ++i) {
+    const Trace::Step& step = trace.steps[i];
+    const bool loop = trace.loop == i;
+    if (loop) result.loop = result.steps.size();
+    const bool again = !loop && !result.steps.empty() &&
+                       same_line(result.steps.back(), step, signals);
+    if (!again) {
+      result.steps.push_back(step);
+      continue;
+    }
+    result.steps.back().scan = step.scan;
+    result.steps.back().repeat += step.repeat;
+  }
+  return result;
+}
+
 ScanGrid scan_grid(const Program& program, const Trace& trace,
                    const std::vector<CellId>& signals) {
-  const Trace shown = merged(trace, signals);
+  const Trace shown = scan_lines(trace, signals);
   ScanGrid grid;
   grid.lines = lines_of(shown);
   for (const CellId id : signals) {

@@ -48,6 +48,9 @@ struct ScanGrid {
 ScanGrid scan_grid(const Program& program, const Trace& trace,
                    const std::vector<CellId>& signals);
 
+/// The trace with a step for each line of the table behind the start.
+Trace scan_lines(const Trace& trace, const std::vector<CellId>& signals);
+
 /// Those of `cone` that are worth a column: all when they are few, else
 /// `named` and those that are not 0 somewhere in the trace.
 std::vector<CellId> relevant_signals(const Program& program, const Trace& trace,

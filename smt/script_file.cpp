@@ -3,25 +3,10 @@
 #include <filesystem>
 #include <fstream>
 
+#include "base/file_stem.h"
 #include "base/temporary_file.h"
 
 namespace rung {
-namespace {
-
-/// Names of properties are the user's: nothing in them may leave the folder.
-std::string file_stem(const std::string& name) {
-  std::string stem;
-  for (const char c : name) {
-    const bool plain = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') ||
-                       (c >= '0' && c <= '9') || c == '-' || c == '_' ||
-                       (c == '.' && !stem.empty());
-    stem += plain ? c : '_';
-  }
-  return stem.empty() ? "certificate" : stem.substr(0, 200);
-}
-
-}  // namespace
-
 ScriptFile::ScriptFile(const std::vector<const CertificateScript*>& scripts,
                        const std::string& directory, const std::string& name)
     : temporary_(directory.empty()) {

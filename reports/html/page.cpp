@@ -2,21 +2,30 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <optional>
 
+#include "reports/assets.h"
 #include "reports/cone.h"
 #include "reports/explain.h"
 #include "reports/frame.h"
+#include "reports/html/ladders.h"
 #include "reports/html/run.h"
-#include "reports/html/style.h"
-#include "reports/ladder/svg.h"
 #include "reports/locate.h"
 #include "reports/markup.h"
+#include "reports/proof_words.h"
+#include "reports/rung_values.h"
 #include "reports/scan_table.h"
 #include "reports/summary_line.h"
 
 namespace rung {
 namespace {
+
+// Pages with more runs than this are drawn by the script, to stay small: the
+// ladder of the program is in the page once.
+constexpr std::size_t kMaxDrawnRuns = 40;
+constexpr std::size_t kMaxListed = 200;
+constexpr std::size_t kMaxOpen = 50;  // of what is not proved
 
 /// Lines of text for <pre>.
 std::string markup_lines(std::string_view text) {
@@ -44,8 +53,9 @@ class Page {
     write_head();
     write_overview();
     write_file_table();
+    write_not_proved();
     for (std::size_t i = 0; i < report_.files.size(); ++i) write_file(i);
-    out_ += "</main>\n</body>\n</html>\n";
+    add("</main>\n<script>{}</script>\n</body>\n</html>\n", kPageScript.text);
     return std::move(out_);
   }
 
@@ -61,12 +71,15 @@ class Page {
         "<html lang=\"en\" xmlns=\"http://www.w3.org/1999/xhtml\">\n<head>\n"
         "<meta charset=\"utf-8\"/>\n"
         "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src "
-        "&#39;none&#39;; style-src &#39;unsafe-inline&#39;\"/>\n"
+        "&#39;none&#39;; script-src {}; style-src {} {}\"/>\n"
         "<meta name=\"viewport\" content=\"width=device-width, "
         "initial-scale=1\"/>\n"
-        "<title>rungproof {}: {}</title>\n<style>\n{}{}</style>\n</head>\n",
-        report_.command, markup(summary_line(report_, Painter(false))),
-        html_style(), ladder_style());
+        "<title>rungproof {}: {}</title>\n"
+        "<style>{}</style>\n<style>{}</style>\n</head>\n",
+        markup(csp_source(kPageScript)), markup(csp_source(kPageStyle)),
+        markup(csp_source(kLadderStyle)), report_.command,
+        markup(summary_line(report_, Painter(false))), kPageStyle.text,
+        kLadderStyle.text);
   }
 
   void write_overview() {
@@ -140,6 +153,29 @@ class Page {
     add("</tbody>\n</table>\n</div>\n");
   }
 
+  /// Links to what a reader comes for.
+  void write_not_proved() {
+    std::size_t count = 0;
+    std::string items;
+    for (std::size_t i = 0; i < report_.files.size(); ++i) {
+      const FileReport& file = report_.files[i];
+      for (std::size_t j = 0; j < file.results.size(); ++j) {
+        const ObligationResult& result = file.results[j];
+        if (result.verdict == Verdict::Proved || ++count > kMaxListed) continue;
+        items += fmt::format(
+            "<li><span class=\"verdict {0}\">{0}</span> "
+            "<a href=\"#file-{1}-obligation-{2}\">{3}</a></li>\n",
+            to_string(result.verdict), i + 1, j + 1,
+            markup(result.obligation.name));
+      }
+    }
+    if (count == 0) return;
+    add("<h2>Not proved</h2>\n<ul class=\"index\">\n{}</ul>\n", items);
+    if (count > kMaxListed) {
+      add("<p>{} more below.</p>\n", count - kMaxListed);
+    }
+  }
+
   void write_file(std::size_t index) {
     const FileReport& file = report_.files[index];
     file_id_ = fmt::format("file-{}", index + 1);
@@ -155,17 +191,31 @@ class Page {
       add("<p>No findings.</p>\n");
     }
     for (const Diagnostic& finding : file.findings) write_finding(finding);
+    used_rungs_.clear();
     if (file.run_of) {
       FileReport as_run = file;
       as_run.program = file.run_of;
       write_obligations(as_run);
+      write_program(*file.run_of);
     } else {
       write_obligations(file);
+      // Of `equiv` the first file's has the rungs of both.
+      if (file.program && !report_.files.front().run_of) {
+        write_program(*file.program);
+      }
     }
     for (const std::string& note : file.notes) {
       add("<p>note: {}</p>\n", markup(note));
     }
     add("</section>\n");
+  }
+
+  void write_program(const Program& program) {
+    std::sort(used_rungs_.begin(), used_rungs_.end());
+    used_rungs_.erase(std::unique(used_rungs_.begin(), used_rungs_.end()),
+                      used_rungs_.end());
+    out_ += write_ladder(*report_.sources, program, file_id_, used_rungs_,
+                         locator_);
   }
 
   void write_obligations(const FileReport& file) {
@@ -200,12 +250,15 @@ class Page {
 
   void write_obligation(const FileReport& file, std::size_t index) {
     const ObligationResult& result = file.results[index];
-    add("<details class=\"{0}\" id=\"{1}-obligation-{2}\"{3}>\n"
+    const bool has_run = result.trace && !result.trace->steps.empty();
+    add("<details class=\"{0}{5}\" id=\"{1}-obligation-{2}\"{3}>\n"
         "<summary><span class=\"verdict {0}\">{0}</span> "
         "<code>{4}</code></summary>\n",
         to_string(result.verdict), file_id_, index + 1,
-        result.verdict != Verdict::Proved ? " open=\"open\"" : "",
-        markup(title_of(result.obligation)));
+        result.verdict != Verdict::Proved && ++open_ <= kMaxOpen
+            ? " open=\"open\""
+            : "",
+        markup(title_of(result.obligation)), has_run ? " has-run" : "");
     add("<p>{}</p>\n", markup(sentence(file, result)));
     write_run(file, result);
     write_evidence(result);
@@ -234,11 +287,38 @@ class Page {
     if (!has_run) return;
     const auto& formulas = formulas_of(file, result.obligation);
     const std::vector<CellId> named = cones_->named(formulas);
+    const std::vector<RungId> drivers = cones_->drivers(named);
     std::vector<CellId> shown = relevant_signals(*file.program, *result.trace,
                                                  cones_->of(formulas), named);
-    out_ += write_html({*report_.sources, *file.program, *result.trace,
-                        std::move(shown), cones_->drivers(named)},
-                       locator_);
+    HtmlRun run = {*report_.sources,
+                   *file.program,
+                   *result.trace,
+                   std::move(shown),
+                   drivers,
+                   file_id_,
+                   file.run_of ? "different here" : end_of(result),
+                   result.verdict == Verdict::Violated};
+    run.is_drawn = ++runs_ <= kMaxDrawnRuns;
+    if (file.run_of) run.differs = named;
+    out_ += write_html(run, locator_);
+    const std::size_t drawn = std::min(drivers.size(), kMaxRungs);
+    used_rungs_.insert(used_rungs_.end(), drivers.begin(),
+                       drivers.begin() + static_cast<std::ptrdiff_t>(drawn));
+  }
+
+  /// What the run's last scan is. The end of a loop is nothing of its own.
+  static std::string_view end_of(const ObligationResult& result) {
+    switch (result.obligation.goal) {
+      case Goal::Invariant:
+        return "violated here";
+      case Goal::Reach:
+        return "reached here";
+      case Goal::Recover:
+        return "no way back from here";
+      case Goal::Respond:
+        break;
+    }
+    return {};
   }
 
   std::string place_of(const SourceRange& where) {
@@ -251,9 +331,12 @@ class Page {
 
   void write_evidence(const ObligationResult& result) {
     if (result.certificate && !result.certificate->lemmas.empty()) {
-      add("<p>Inductive together:</p>\n<ul>\n");
+      add("<p>{}</p>\n<ul>\n", result.verdict == Verdict::Proved
+                                   ? "In every state that a run can reach:"
+                                   : "From there on:");
       for (const std::string& lemma : result.certificate->lemmas) {
-        add("<li><code>{}</code></li>\n", markup(lemma));
+        add("<li>{} <code class=\"soft\">{}</code></li>\n",
+            markup(in_words(lemma)), markup(lemma));
       }
       add("</ul>\n");
     }
@@ -276,6 +359,9 @@ class Page {
   Locator locator_;
   std::string file_id_;
   std::optional<Cones> cones_;
+  std::vector<RungId> used_rungs_;  // of the file
+  std::size_t runs_ = 0;
+  std::size_t open_ = 0;
   std::string out_;
 };
 

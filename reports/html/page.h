@@ -7,9 +7,10 @@
 namespace rung {
 
 /// The report as one page that loads nothing: counts, files, findings, and each
-/// obligation with its verdict; a violation with its run as a table and the
-/// rungs at its end as ladders, a proof with its lemmas. HTML 5, well-formed as
-/// XML too; no script. Deterministic, but for the times.
+/// obligation with its verdict; a run with one cursor over its scan table, its
+/// timing diagram and the rungs that decide it; a proof with its lemmas; the
+/// program as a ladder. HTML 5, well-formed as XML too. It can be read without
+/// its script (page.js). Deterministic, but for the times.
 std::string write_html(const Report& report);
 
 }  // namespace rung

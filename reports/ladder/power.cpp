@@ -16,6 +16,15 @@ RungState state_of(const Program& program, const Rung& rung,
   return state;
 }
 
+std::optional<std::int64_t> shown_value(const LadderShape& shape,
+                                        const RungState& state) {
+  if (shape.node == LadderShape::kNoNode) return state.target;
+  const RungState::Value& value = state.nodes[shape.node];
+  if (!value.executed) return std::nullopt;
+  const bool inverted = shape.kind == LadderShape::Kind::Negated;
+  return inverted ? 1 - value.value : value.value;
+}
+
 std::vector<bool> powered_nets(const LadderRung& rung, const RungState& state) {
   std::vector<bool> powered(static_cast<std::size_t>(rung.nets), false);
   const auto net = [](int index) { return static_cast<std::size_t>(index); };

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "analysis/program.h"
@@ -22,6 +23,11 @@ struct RungState {
 /// The state of `rung` in the scan that `simulator` ran last.
 RungState state_of(const Program& program, const Rung& rung,
                    const Simulator& simulator);
+
+/// What stands under a symbol: of a contact the signal's value, not whether it
+/// lets power through. Nothing where it was not executed.
+std::optional<std::int64_t> shown_value(const LadderShape& shape,
+                                        const RungState& state);
 
 /// Which nets of `rung` have power; a word has when it is not 0. The coil's is
 /// what the rung's expression gave.

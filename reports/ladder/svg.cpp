@@ -3,8 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 
+#include "reports/assets.h"
 #include "reports/locate.h"
 #include "reports/markup.h"
 #include "reports/unicode.h"
@@ -26,64 +26,57 @@ constexpr int kCaption = 22;    // pixels of a line of text above a rung
 constexpr int kMargin = 20;
 constexpr std::size_t kCaptionColumns = 110;
 
-constexpr std::string_view kStyle =
-    R"(.ladder path{fill:none;stroke:#3b4148;stroke-width:1.5}
-.ladder path.on{stroke:#0b57d0;stroke-width:3.5}
-.ladder text{fill:#1b1f24;font:13px monospace;text-anchor:middle;white-space:pre}
-.ladder text.caption{fill:#57606a;text-anchor:start}
-.ladder text.value{fill:#0b57d0;font-weight:bold}
-.ladder .paper{fill:#fff}
-@media (prefers-color-scheme:dark){
-.ladder path{stroke:#aab1ba}
-.ladder path.on{stroke:#7cb2ff}
-.ladder text{fill:#e6e9ed}
-.ladder text.caption{fill:#9aa4af}
-.ladder text.value{fill:#7cb2ff}
-.ladder .paper{fill:#15181c}
-}
-)";
-
-/// One rung: its strokes, those with power apart, and its texts.
+/// One rung: the strokes of each net, and the texts.
 class RungPicture {
  public:
-  RungPicture(const LadderRung& rung, const RungState* state)
+  /// Without a state in a page: the script writes the values.
+  enum class Use : std::uint8_t { File, Page };
+
+  RungPicture(const LadderRung& rung, const RungState* state, Use use)
       : state_(state),
-        powered_(state != nullptr
-                     ? powered_nets(rung, *state)
-                     : std::vector<bool>(static_cast<std::size_t>(rung.nets),
-                                         false)) {
+        use_(use),
+        strokes_(static_cast<std::size_t>(rung.nets)),
+        powered_(state != nullptr ? powered_nets(rung, *state)
+                                  : std::vector<bool>(strokes_.size(), false)) {
     const int right = rung.width * kUnit;
     move(0, 0, LadderRung::kLeftRail);
-    strokes() += fmt::format("V{}", rung.height * kRow);
+    add(fmt::format("V{}", rung.height * kRow));
     move(right, 0, LadderRung::kRightRail);
-    strokes() += fmt::format("V{}", rung.height * kRow);
+    add(fmt::format("V{}", rung.height * kRow));
     for (const LadderShape& shape : rung.shapes) draw(shape);
   }
 
   std::string elements() const {
-    std::string out;
-    if (!strokes_[0].empty()) {
-      out += fmt::format("<path d=\"{}\"/>\n", strokes_[0]);
-    }
-    if (!strokes_[1].empty()) {
-      out += fmt::format("<path class=\"on\" d=\"{}\"/>\n", strokes_[1]);
-    }
-    return out + texts_;
+    if (use_ == Use::Page) return live_strokes() + texts_;
+    std::string all;
+    for (const std::string& net : strokes_) all += net;
+    return fmt::format("<path d=\"{}\"/>\n", all) + texts_;
   }
 
  private:
-  std::string& strokes() { return strokes_[is_on_ ? 1 : 0]; }
+  /// A path a net: the script changes which have power.
+  std::string live_strokes() const {
+    std::string out;
+    for (std::size_t net = 0; net < strokes_.size(); ++net) {
+      if (strokes_[net].empty()) continue;
+      out += fmt::format("<path data-net=\"{}\"{} d=\"{}\"/>\n", net,
+                         powered_[net] ? " class=\"on\"" : "", strokes_[net]);
+    }
+    return out;
+  }
+
+  void add(std::string_view stroke) { strokes_[net_] += stroke; }
 
   /// Begins a stroke of what is connected to `net`.
   void move(int x, int y, int net) {
-    is_on_ = powered_[static_cast<std::size_t>(net)];
-    strokes() += fmt::format("M{} {}", x, y);
+    net_ = static_cast<std::size_t>(net);
+    add(fmt::format("M{} {}", x, y));
   }
 
   void horizontal(int from, int to, int y, int net) {
     if (from == to) return;
     move(from, y, net);
-    strokes() += fmt::format("H{}", to);
+    add(fmt::format("H{}", to));
   }
 
   void text(int x, int y, std::string_view style, std::string_view value) {
@@ -99,7 +92,7 @@ class RungPicture {
     } else if (shape.kind == Kind::Riser) {
       if (shape.height == 0) return;
       move(x, y, shape.from);
-      strokes() += fmt::format("v{}", shape.height * kRow);
+      add(fmt::format("v{}", shape.height * kRow));
     } else {
       draw_symbol(shape, x, y);
     }
@@ -114,11 +107,38 @@ class RungPicture {
     horizontal(x, middle - half, y, shape.from);
     horizontal(middle + half, end, y, shape.to);
     draw_sides(shape, middle - half, middle + half, y);
+    if (use_ == Use::Page) begin_symbol(shape);
     text(middle, is_box ? y + 4 : y - kName, "", shape.text);
-    if (state_ != nullptr) {
+    if (use_ == Use::Page) {
       text(middle, y + kValue + (is_box ? 4 : 0), " class=\"value\"",
-           value_of(shape));
+           state_ != nullptr ? value_of(shape) : "");
+      texts_ += "</g>\n";
     }
+  }
+
+  /// What the script must know to say why a coil has power.
+  void begin_symbol(const LadderShape& shape) {
+    texts_ +=
+        fmt::format("<g data-kind=\"{}\" data-from=\"{}\" data-to=\"{}\"{}>\n",
+                    name_of(shape.kind), shape.from, shape.to,
+                    shape.behind_input ? " data-behind=\"1\"" : "");
+  }
+
+  static std::string_view name_of(Kind kind) {
+    switch (kind) {
+      case Kind::Contact:
+        return "contact";
+      case Kind::Negated:
+        return "negated";
+      case Kind::Box:
+        return "box";
+      case Kind::Coil:
+        return "coil";
+      case Kind::Wire:
+      case Kind::Riser:
+        break;
+    }
+    return "";
   }
 
   void draw_sides(const LadderShape& shape, int left, int right, int y) {
@@ -132,7 +152,7 @@ class RungPicture {
         side(right, y, fmt::format("v{}", 2 * kHalfHeight), shape.to);
         if (shape.kind == Kind::Negated) {
           move(left, y + kHalfHeight, shape.from);
-          strokes() += fmt::format("L{} {}", right, y - kHalfHeight);
+          add(fmt::format("L{} {}", right, y - kHalfHeight));
         }
         return;
       case Kind::Coil:
@@ -145,35 +165,30 @@ class RungPicture {
         return;
       case Kind::Box:
         move(left, y - kHalfBox, shape.to);
-        strokes() += fmt::format("H{}v{}H{}z", right, 2 * kHalfBox, left);
+        add(fmt::format("H{}v{}H{}z", right, 2 * kHalfBox, left));
         return;
     }
   }
 
   void side(int x, int y, std::string_view stroke, int net) {
     move(x, y - kHalfHeight, net);
-    strokes() += stroke;
+    add(stroke);
   }
 
   static int text_width(const std::string& text) {
     return static_cast<int>(printable_width(text));
   }
 
-  /// Of a contact the signal's value, not whether it lets power through.
   std::string value_of(const LadderShape& shape) const {
-    if (shape.node == LadderShape::kNoNode) {
-      return fmt::format("{}", state_->target);
-    }
-    const RungState::Value& value = state_->nodes[shape.node];
-    if (!value.executed) return "-";
-    const bool inverted = shape.kind == Kind::Negated;
-    return fmt::format("{}", inverted ? 1 - value.value : value.value);
+    const auto value = shown_value(shape, *state_);
+    return value ? fmt::format("{}", *value) : "-";
   }
 
   const RungState* state_;
-  std::vector<bool> powered_;
-  bool is_on_ = false;
-  std::array<std::string, 2> strokes_;  // without power, and with
+  Use use_;
+  std::vector<std::string> strokes_;  // by net
+  std::vector<bool> powered_;         // by net
+  std::size_t net_ = 0;               // of the stroke being drawn
   std::string texts_;
 };
 
@@ -186,7 +201,7 @@ class Picture {
         "<text class=\"caption\" x=\"0\" y=\"{}\">{}</text>\n"
         "<g transform=\"translate(0 {})\">\n{}</g>\n</g>\n",
         top_, kCaption - 8, markup(caption, kCaptionColumns), kCaption,
-        RungPicture(rung, nullptr).elements());
+        RungPicture(rung, nullptr, RungPicture::Use::File).elements());
     top_ += kCaption + rung.height * kRow + kMargin;
     const std::size_t columns =
         std::min(printable_width(caption), kCaptionColumns + 1);
@@ -203,7 +218,7 @@ class Picture {
         "<title id=\"title\">{3}</title>\n<style>\n{4}</style>\n"
         "<rect class=\"paper\" x=\"{2}\" y=\"{2}\" width=\"{0}\" "
         "height=\"{1}\"/>\n{5}</svg>\n",
-        width, height, -kMargin, markup(title), kStyle, body_);
+        width, height, -kMargin, markup(title), kLadderStyle.text, body_);
   }
 
  private:
@@ -238,14 +253,12 @@ std::string draw_rung_svg(const LadderRung& rung, const RungState* state,
       "width=\"{0}\" height=\"{1}\" viewBox=\"{2} 0 {0} {1}\" role=\"img\" "
       "aria-label=\"{3}\">\n{4}</svg>\n",
       width, height, -kMargin, markup(label),
-      RungPicture(rung, state).elements());
+      RungPicture(rung, state, RungPicture::Use::Page).elements());
 }
 
 std::string_view first_line(const SourceSet& sources, const Rung& rung) {
   const std::string_view text = sources.text(rung.where);
   return text.substr(0, text.find_first_of("\r\n"));
 }
-
-std::string_view ladder_style() { return kStyle; }
 
 }  // namespace rung

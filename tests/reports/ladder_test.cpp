@@ -206,7 +206,42 @@ TEST(LadderSvg, ShowsTheValuesOfAScan) {
     values += svg[svg.find('>', at) + 1];
   }
   EXPECT_EQ(values, "0-01");
-  EXPECT_TRUE(contains(svg, "<path class=\"on\""));
+  EXPECT_TRUE(contains(svg, "<path data-net=\"0\" class=\"on\""));
+}
+
+std::size_t count(const std::string& text, std::string_view part) {
+  std::size_t found = 0;
+  for (std::size_t at = 0; (at = text.find(part, at)) != std::string::npos;
+       ++at) {
+    ++found;
+  }
+  return found;
+}
+
+/// What the script of a page goes by: a path a net, a group a symbol with its
+/// name and a place for its value, the coil last.
+TEST(LadderSvg, NamesNetsAndSymbolsForThePage) {
+  const Example example("Q0 = (I0 || Q0) && !I1 && T(0, 5, I2);");
+  const LadderRung drawn =
+      lay_out_rung(example.program, example.program.rungs[RungId(0)]);
+  const std::string svg = draw_rung_svg(drawn, nullptr, "a rung");
+  EXPECT_EQ(test::problems_of(svg), "") << svg;
+  EXPECT_EQ(count(svg, "<path data-net="), 5U) << svg;
+  EXPECT_EQ(count(svg, "<g data-kind="), 5U) << svg;
+  EXPECT_EQ(count(svg, " class=\"value\"></text>\n</g>"), 5U) << svg;
+  EXPECT_EQ(count(svg, "data-kind=\"contact\""), 2U) << svg;
+  EXPECT_EQ(count(svg, "data-kind=\"negated\""), 1U) << svg;
+  EXPECT_EQ(count(svg, "data-kind=\"box\""), 1U) << svg;
+  EXPECT_GT(svg.find("data-kind=\"coil\""), svg.rfind("data-kind=\"box\""));
+  EXPECT_FALSE(contains(svg, "data-behind"));
+}
+
+TEST(LadderSvg, ABoxBehindItsInputSaysSo) {
+  const Example example("Q0 = T(0, 5, I0);");
+  const LadderRung drawn =
+      lay_out_rung(example.program, example.program.rungs[RungId(0)]);
+  EXPECT_TRUE(contains(draw_rung_svg(drawn, nullptr, ""),
+                       "data-to=\"2\" data-behind=\"1\""));
 }
 
 }  // namespace

@@ -7,6 +7,8 @@
 #include <set>
 #include <vector>
 
+#include "reports/assets.h"
+
 namespace rung::test {
 namespace {
 
@@ -15,13 +17,15 @@ const std::set<std::string> kElements = {
     "html", "head", "meta", "title", "style", "body", "header", "main",
     "section", "article", "details", "summary", "h1", "h2", "h3", "h4", "p",
     "ul", "li", "a", "b", "strong", "span", "code", "pre", "div", "table",
-    "thead", "tbody", "tr", "th", "td", "figure", "figcaption",
+    "thead", "tbody", "tr", "th", "td", "figure", "figcaption", "script",
     // SVG
     "svg", "g", "rect", "path", "text"};
 
 const std::set<std::string> kAttributes = {
     "lang", "charset", "http-equiv", "content", "name", "class", "id", "href",
     "scope", "role", "tabindex", "open", "aria-label", "aria-labelledby",
+    "type", "data-rung", "data-name", "data-net", "data-kind", "data-from",
+    "data-to", "data-behind",
     // SVG
     "width", "height", "viewBox", "transform", "x", "y", "d"};
 
@@ -77,6 +81,24 @@ class Check {
       }
     }
     if (name == "style") check_style(element);
+    if (name == "script") check_script(element);
+  }
+
+  /// Data, or the page's own script: nothing else runs.
+  void check_script(const xmlNode& element) {
+    const std::unique_ptr<xmlChar, void (*)(void*)> type(
+        xmlGetProp(&element, reinterpret_cast<const xmlChar*>("type")),
+        [](void* text) { xmlFree(text); });
+    if (type != nullptr && text_of(type.get()) == "application/json") return;
+    const std::unique_ptr<xmlChar, void (*)(void*)> text(
+        xmlNodeGetContent(&element), [](void* bytes) { xmlFree(bytes); });
+    std::string own(kPageScript.text);
+    for (const std::string marker : {"<![CDATA[", "]]>"}) {
+      own.erase(own.find(marker), marker.size());
+    }
+    if (type != nullptr || text_of(text.get()) != own) {
+      problems_ += "a script that is not the page's own\n";
+    }
   }
 
   void check_style(const xmlNode& element) {

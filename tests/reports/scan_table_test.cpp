@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include "base/file_stem.h"
+#include "reports/waves.h"
+
 namespace rung {
 namespace {
 
@@ -61,6 +64,41 @@ TEST(RelevantSignals, ManySignalsShowWhatMovesAndWhatIsNamed) {
   for (const CellId id : ids_of(program.cells)) cone.push_back(id);
   const std::vector<CellId> expected = {CellId(7), CellId(30)};
   EXPECT_EQ(relevant_signals(program, trace, cone, {CellId(30)}), expected);
+}
+
+TEST(WaveJson, HasACharacterALine) {
+  const Program program = make_program(2);
+  Trace trace;
+  trace.steps = {
+      {1, 100, 1, {1, 1}}, {3601, 10, 3600, {1, 0}}, {3602, 10, 1, {0, 0}}};
+  const std::string wave =
+      write_wavejson(program, trace, {CellId(0), CellId(1)}, "stop");
+  for (const char* part :
+       {"\"wave\": \"===\"", "\"100 ms\"", "\"36.1 s\"", "\"signal0\"",
+        "\"wave\": \"1|0\"", "\"wave\": \"10.\"", "\"text\": \"stop\""}) {
+    EXPECT_NE(wave.find(part), std::string::npos) << part << wave;
+  }
+}
+
+TEST(StimulusTable, HasTheInputsOfTheTrace) {
+  Program program = make_program(2);
+  Trace trace;
+  trace.steps = {{1, 100, 1, {1, 1}}, {3601, 10, 3600, {0, 0}}};
+  EXPECT_EQ(write_stimulus(program, trace).value_or("none"),
+            "dt,repeat,\"signal0\"\n100,1,1\n10,3600,0\n");
+  for (const char* name : {"a,b", "a\nb", "a\rb", "dt", "repeat"}) {
+    program.cells[CellId(0)].name = name;
+    EXPECT_FALSE(write_stimulus(program, trace)) << name;
+  }
+}
+
+TEST(FileStem, LeavesNoFolder) {
+  EXPECT_EQ(file_stem("stop.holds-1_2"), "stop.holds-1_2");
+  EXPECT_EQ(file_stem("../a/b c"), "_._a_b_c");
+  EXPECT_EQ(file_stem(".profile"), "_profile");
+  EXPECT_EQ(file_stem(""), "unnamed");
+  EXPECT_EQ(file_stem("\xff\n"), "__");
+  EXPECT_EQ(file_stem(std::string(500, 'a')).size(), 200U);
 }
 
 }  // namespace
