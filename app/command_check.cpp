@@ -18,6 +18,7 @@
 #include "app/select.h"
 #include "app/session.h"
 #include "app/sweep.h"
+#include "app/trace_files.h"
 #include "app/version.h"
 #include "boards/replay.h"
 #include "smt/repair.h"
@@ -301,8 +302,11 @@ int run_check(const Options& options) {
   CheckRun run(session, emulator ? &*emulator : nullptr, kept);
   Report& report = run.run();
   if (baselines) baselines->apply(report);
-  const int status = emit(report, options);
+  int status = emit(report, options);
   if (kept != nullptr) warn_of_cache(*kept);
+  if (const auto error = write_traces(report, options.traces)) {
+    status = std::max(status, usage_error("--traces: " + *error));
+  }
   const std::string missing = missing_properties(report, options);
   if (missing.empty() || !report.proved) return status;
   usage_error("no property is called" + missing);

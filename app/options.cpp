@@ -266,6 +266,8 @@ void add_commands(CLI::App& app, RawOptions& raw, Options& options) {
                   "under every preset of semantics that fits the language");
   prove->add_option("--replay-on", options.replay_on,
                     "execute violations on an emulated board: uno, yun, arm");
+  prove->add_option("--traces", options.traces,
+                    "write runs into this directory: VCD, WaveJSON, stimulus");
   add_equiv(app, options);
   CLI::App* bound =
       add_command(app, "bound", "how long from P to Q, at worst and at best");

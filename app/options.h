@@ -40,6 +40,7 @@ struct Options {
   std::string pou;
   bool sweep = false;     // prove
   std::string replay_on;  // prove: a board
+  std::string traces;     // prove: a directory
   bool explain = false;   // check, prove
   std::string props;
   std::vector<std::string> properties;  // --property; empty: all

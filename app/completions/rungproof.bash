@@ -38,7 +38,7 @@ _rungproof() {
       local targets="postfix il-iec st script il-mitsubishi ascii plcopen ldmicro plclib"
       [[ $command == export ]] && targets="aiger btor2 chc"
       COMPREPLY=($(compgen -W "$targets" -- "$current")) ;;
-    --certificates|--cache) COMPREPLY=($(compgen -d -- "$current")) ;;
+    --certificates|--cache|--traces) COMPREPLY=($(compgen -d -- "$current")) ;;
     --scan|--timeout|--rule|--jobs|--property|--map|--scans|--dt|--rung|--delay|--git|--tcp|--wait) ;;
     --baud)
       local speeds="9600 19200 38400 57600 115200 230400 500000 1000000"
@@ -46,7 +46,7 @@ _rungproof() {
     *)
       if [[ $previous != --props && $current == -* ]]; then
         case $command in
-          prove) common+=" --sweep --replay-on" ;;
+          prove) common+=" --sweep --replay-on --traces" ;;
           baseline) common+=" --accept-new" ;;
           equiv) common+=" --rung --delay --settled --git" ;;
           lower) common+=" --to --output --binary --header --report" ;;
