@@ -11,7 +11,7 @@ struct Asset {
   std::string_view text;
   std::string_view sha256;  // of the text, in hexadecimal
 };
-extern const Asset kPageScript;   // html/page.js
+extern const Asset kPageScript;   // html/*.js
 extern const Asset kPageStyle;    // html/page.css
 extern const Asset kLadderStyle;  // ladder/ladder.css
 

@@ -16,15 +16,22 @@ bool is_symbol(const LadderShape& shape) {
          shape.kind != LadderShape::Kind::Riser;
 }
 
+/// A script's numbers have 53 bits: longer ones are texts.
+Json number(std::int64_t value) {
+  constexpr std::int64_t kLargest = std::int64_t{1} << 53U;
+  if (value > kLargest || value < -kLargest) return std::to_string(value);
+  return value;
+}
+
 Json json_of(const Cell& cell, CellId id, const Trace& lines) {
   Json values = Json::array();
   for (const Trace::Step& step : lines.steps) {
-    values.push_back(step.values[id.index()]);
+    values.push_back(number(step.values[id.index()]));
   }
   return {{"name", printable(cell.name)},
           {"kind", to_string(cell.role)},
           {"word", cell.type == Type::Word},
-          {"initial", cell.initial},
+          {"initial", number(cell.initial)},
           {"values", std::move(values)}};
 }
 
@@ -47,7 +54,7 @@ Json values_of(const RungStates& rung) {
     Json values = Json::array();
     for (const RungState& state : rung.states) {
       const auto value = shown_value(shape, state);
-      values.push_back(value ? Json(*value) : Json(nullptr));
+      values.push_back(value ? number(*value) : Json(nullptr));
     }
     all.push_back(std::move(values));
   }

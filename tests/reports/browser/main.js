@@ -1,4 +1,4 @@
-// Usage: node main.js CHROMIUM RUNGPROOF
+// Usage: node main.js CHROMIUM RUNGPROOF [TEST]
 // Looks at reports in one browser; every function of tests.js is a test.
 'use strict';
 const {chromium} = require('playwright-core');
@@ -11,14 +11,16 @@ const kFlags = [
   '--disable-sync'];
 
 async function main() {
-  const [program, rungproof] = process.argv.slice(2);
+  const [program, rungproof, only] = process.argv.slice(2);
+  const chosen = Object.entries(tests).filter(
+      ([name]) => only === undefined || name === only);
   const scenes = new Scenes(rungproof);
   const browser =
       await chromium.launch({executablePath: program, args: kFlags});
   let failed = 0;
   try {
     scenes.make();
-    for (const [name, test] of Object.entries(tests)) {
+    for (const [name, test] of chosen) {
       try {
         await test(browser, scenes);
         console.log(`ok      ${name}`);
@@ -31,7 +33,7 @@ async function main() {
     await browser.close();
     scenes.remove();
   }
-  const count = Object.keys(tests).length;
+  const count = chosen.length;
   console.log(`${count} tests, ${failed} failed`);
   process.exit(failed > 0 || count === 0 ? 1 : 0);
 }

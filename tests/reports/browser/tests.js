@@ -400,7 +400,29 @@ async function a_stimulus_runs_into_the_violation(browser, scenes) {
   }
 }
 
+async function a_run_can_be_saved(browser, scenes) {
+  const {id, scans} = first_run(scenes);
+  await open(browser, scenes.url('motor.html', id), async page => {
+    const saved = async name => {
+      const [download] = await Promise.all([
+        page.waitForEvent('download'),
+        page.locator(id).getByRole('button', {name, exact: true}).click()]);
+      return JSON.parse(fs.readFileSync(await download.path(), 'utf8'));
+    };
+    const json = await saved('Save JSON');
+    assert.strictEqual(json.scan.pop(), scans[scans.length - 1]);
+    const wave = await saved('Save WaveJSON');
+    assert.strictEqual(wave.signal.length, json.signals.length + 1);
+    wavedrom.renderAny(0, wave, skins);
+    for (const signal of json.signals) {
+      const lane = wave.signal.find(one => one.name === signal.name);
+      assert.deepStrictEqual(lane_values(lane), signal.values);
+    }
+  });
+}
+
 module.exports = {
+  a_run_can_be_saved,
   wavejson_is_what_wavedrom_draws, a_stimulus_runs_into_the_violation,
   keys_step, buttons_and_slider_step, play_runs_to_the_end,
   a_link_names_a_scan, equivalence_has_both_sides, hostile_names_run_nothing,
