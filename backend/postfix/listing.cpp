@@ -32,13 +32,11 @@ class Lister {
   }
 
   void check_header() {
-    const std::string_view dialect =
-        program_.dialect.empty() ? kDialects[0] : program_.dialect;
-    const auto* found = std::find(kDialects.begin(), kDialects.end(), dialect);
-    if (found == kDialects.end()) {
-      fail({}, "the postfix format has no number for the dialect `" +
-                   std::string(dialect) + "`");
-    }
+    // It says where a program came from and changes nothing: what another
+    // language has that the machine has not is refused where it stands.
+    const auto* found =
+        std::find(kDialects.begin(), kDialects.end(), program_.dialect);
+    if (found == kDialects.end()) found = kDialects.begin();
     listing_.dialect =
         static_cast<std::size_t>(std::distance(kDialects.begin(), found));
     const ScanInterval& scan = program_.scan;

@@ -23,6 +23,25 @@ std::string read_file(const fs::path& path) {
   return {std::istreambuf_iterator<char>(in), {}};
 }
 
+bool is_witness(const Violation& run) {
+  return run.obligation.goal == Goal::Reach;
+}
+
+void find_runs(const Loaded& loaded, std::vector<Violation>& runs) {
+  VerifyOptions options;
+  options.budget.seconds = 20;
+  const VerifyReport report =
+      verify(loaded.program, loaded.properties, options);
+  EXPECT_TRUE(report.failures.empty()) << loaded.name;
+  for (const ObligationResult& result : report.results) {
+    const bool reached = result.verdict == Verdict::Proved &&
+                         result.obligation.goal == Goal::Reach;
+    if (result.verdict != Verdict::Violated && !reached) continue;
+    if (!result.trace || result.trace->steps.empty()) continue;
+    runs.push_back({&loaded, result.obligation, *result.trace});
+  }
+}
+
 }  // namespace
 
 bool Programs::add(const std::string& name, const std::string& text) {
@@ -50,6 +69,10 @@ bool Programs::add(const std::string& name, const std::string& text) {
 
 void Programs::add_corpus() {
   add_project_corpus();
+  add_corpus_of_others();
+}
+
+void Programs::add_corpus_of_others() {
   add_folder(RUNG_SOURCE_DIR "/../shared/corpus");
 }
 
@@ -101,12 +124,16 @@ bool put_program(std::span<std::uint8_t> flash, const std::string& program) {
 }
 
 std::vector<Violation> find_violations(const Programs& programs) {
-  std::vector<Violation> violations;
-  for (Violation& run : find_runs(programs)) {
-    const bool witness = run.obligation.goal == Goal::Reach;
-    if (!witness) violations.push_back(std::move(run));
-  }
-  return violations;
+  std::vector<Violation> runs = find_runs(programs);
+  std::erase_if(runs, is_witness);
+  return runs;
+}
+
+std::vector<Violation> find_violations(const Loaded& loaded) {
+  std::vector<Violation> runs;
+  find_runs(loaded, runs);
+  std::erase_if(runs, is_witness);
+  return runs;
 }
 
 std::vector<Violation> find_runs(const Programs& programs) {
@@ -114,19 +141,7 @@ std::vector<Violation> find_runs(const Programs& programs) {
   for (const Loaded& loaded : programs.items()) {
     // What cannot be lowered runs on no board, and is not asked.
     DiagnosticList found;
-    if (!boards::make_job(loaded.program, {}, found)) continue;
-    VerifyOptions options;
-    options.budget.seconds = 20;
-    const VerifyReport report =
-        verify(loaded.program, loaded.properties, options);
-    EXPECT_TRUE(report.failures.empty()) << loaded.name;
-    for (const ObligationResult& result : report.results) {
-      const bool reached = result.verdict == Verdict::Proved &&
-                           result.obligation.goal == Goal::Reach;
-      if (result.verdict != Verdict::Violated && !reached) continue;
-      if (!result.trace || result.trace->steps.empty()) continue;
-      runs.push_back({&loaded, result.obligation, *result.trace});
-    }
+    if (boards::make_job(loaded.program, {}, found)) find_runs(loaded, runs);
   }
   return runs;
 }

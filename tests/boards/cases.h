@@ -32,6 +32,7 @@ class Programs {
   /// repository where it is there; those that are refused are left out.
   void add_corpus();
   void add_project_corpus();
+  void add_corpus_of_others();
   void add_random(std::uint64_t seed);
 
   const std::deque<Loaded>& items() const { return items_; }
@@ -60,6 +61,8 @@ struct Violation {
 
 /// All violations of the programs that can be lowered.
 std::vector<Violation> find_violations(const Programs& programs);
+/// Those of one program, lowered or not.
+std::vector<Violation> find_violations(const Loaded& loaded);
 /// The same and the witnesses of what can be reached.
 std::vector<Violation> find_runs(const Programs& programs);
 

@@ -157,6 +157,35 @@ std::vector<Case> cases_of(const std::vector<Violation>& violations) {
   return cases;
 }
 
+std::string file_name(const Loaded& loaded) {
+  return loaded.name.substr(loaded.name.rfind('/') + 1);
+}
+
+// The same of the programs of others: one that is violated has no postfix form.
+TEST(BoardViolations, OfOthersOneHasTimersThatTheMachineHasNot) {
+  Programs programs;
+  programs.add_corpus_of_others();
+  if (programs.items().empty()) GTEST_SKIP() << "no corpus of others";
+  std::size_t lowered = 0;
+  std::string left_out;
+  for (const Loaded& loaded : programs.items()) {
+    DiagnosticList found;
+    if (boards::make_job(loaded.program, {}, found)) {
+      ++lowered;
+      continue;
+    }
+    ASSERT_TRUE(found.has_errors()) << loaded.name;
+    const std::size_t violations = find_violations(loaded).size();
+    if (violations == 0) continue;
+    left_out += std::to_string(violations) + " of " + file_name(loaded) + ": " +
+                found.items().front().message + "\n";
+  }
+  EXPECT_GE(lowered, 100U);
+  EXPECT_EQ(left_out,
+            "6 of belt_conveyor_wrong_rearm.L5X: the format has no element of "
+            "kind `ton-logix`\n");
+}
+
 // Nothing is left out in silence: these have no postfix form.
 TEST(BoardViolations, OnlyThoseOfPlcLibsPapersAreLeftOut) {
   Programs programs;
@@ -165,7 +194,7 @@ TEST(BoardViolations, OnlyThoseOfPlcLibsPapersAreLeftOut) {
   for (const Loaded& loaded : programs.items()) {
     DiagnosticList found;
     if (boards::make_job(loaded.program, {}, found)) continue;
-    left_out += loaded.name.substr(loaded.name.rfind('/') + 1) + "\n";
+    left_out += file_name(loaded) + "\n";
   }
   EXPECT_GE(programs.items().size(), 55U);
   EXPECT_EQ(left_out,
