@@ -101,6 +101,20 @@ bool has_input_errors(const Report& report) {
   return summarise(report).input_errors > 0;
 }
 
+/// What cannot be read has findings that nobody knows. They are told alone:
+/// among hundreds of others nobody would see them.
+int refuse_input_errors(Report& report, const Options& options) {
+  for (FileReport& file : report.files) {
+    std::erase_if(file.findings, [](const Diagnostic& finding) {
+      return !is_input_error(finding);
+    });
+  }
+  emit(report, options);
+  return usage_error(
+      "the baseline stays as it is: what cannot be read has findings that "
+      "nobody knows");
+}
+
 }  // namespace
 
 int run_baseline(const Options& options) {
@@ -119,8 +133,7 @@ int run_baseline(const Options& options) {
   if (options.action == "check") {
     status = emit(report, options);
   } else if (has_input_errors(report)) {
-    // What cannot be read has findings that nobody knows.
-    return emit(report, options);
+    return refuse_input_errors(report, options);
   }
   for (const Used& used : baselines.used()) {
     const std::vector<BaselineEntry> stale = baselines.stale(used, report);

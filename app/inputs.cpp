@@ -108,7 +108,7 @@ std::vector<std::string> scripts_below(const std::string& directory,
   fs::recursive_directory_iterator at(directory, error);
   while (!error && at != fs::recursive_directory_iterator()) {
     std::error_code ignored;
-    std::string path = at->path().string();
+    std::string path = at->path().lexically_normal().string();
     if (!at->is_directory(ignored) &&
         wanted(path, has_known_ending(at->path()))) {
       found.push_back(std::move(path));

@@ -149,7 +149,7 @@ void add_lint_options(CLI::App& app, RawOptions& raw, Options& options) {
 void add_common(CLI::App& app, RawOptions& raw, Options& options) {
   app.add_option("--format", raw.formats,
                  "FMT[:FILE], repeatable: text, json, jsonl, sarif, junit, "
-                 "github, html")
+                 "github, gitlab, html")
       ->allow_extra_args(false);
   app.add_option("--scan", raw.scan, "MIN..MAX: ms that a scan takes");
   app.add_option("--semantics", options.semantics,

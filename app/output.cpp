@@ -1,6 +1,7 @@
 #include "app/output.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -13,6 +14,7 @@
 #include <memory>
 
 #include "reports/github.h"
+#include "reports/gitlab.h"
 #include "reports/html/page.h"
 #include "reports/json.h"
 #include "reports/junit.h"
@@ -24,8 +26,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::array<std::string_view, 7> kFormats = {
-    "text", "json", "jsonl", "sarif", "junit", "github", "html"};
+constexpr std::array<std::string_view, 8> kFormats = {
+    "text", "json", "jsonl", "sarif", "junit", "github", "gitlab", "html"};
 
 TextOptions text_options(const Options& options, bool colour) {
   return {options.detail, colour};
@@ -38,6 +40,7 @@ std::string render(const Report& report, std::string_view format,
   if (format == "sarif") return write_sarif(report);
   if (format == "junit") return write_junit(report);
   if (format == "github") return write_github(report);
+  if (format == "gitlab") return write_gitlab(report);
   if (format == "html") return write_html(report);
   return write_text(report, text_options(options, colour));
 }
@@ -147,10 +150,8 @@ std::optional<std::string> check_formats(const Options& options) {
   for (const FormatRequest& request : options.formats) {
     if (std::find(kFormats.begin(), kFormats.end(), request.format) ==
         kFormats.end()) {
-      return fmt::format(
-          "--format: there is no format `{}`: the names are text, json, "
-          "jsonl, sarif, junit, github, html",
-          request.format);
+      return fmt::format("--format: there is no format `{}`: the names are {}",
+                         request.format, fmt::join(kFormats, ", "));
     }
     if (request.path.empty()) ++on_stdout;
   }

@@ -100,10 +100,16 @@ class GithubWriter {
         where.has_value() ? (*report_.sources)[where.file].path() : file.path;
     const Place at = where.has_value() ? locator_.of(where) : Place{};
     out_ += fmt::format(
-        "::{} file={},line={},endLine={},col={},endColumn={},title={}::{}\n",
-        command, escaped(relative_path(path, report_.working_directory), true),
-        at.begin.line, at.end.line, at.begin.column, at.end.column,
-        escaped(title, true), escaped(message, false));
+        "::{} file={},line={},endLine={},", command,
+        escaped(relative_path(path, report_.working_directory), true),
+        at.begin.line, at.end.line);
+    // Columns of two lines are refused by the runner.
+    if (at.begin.line == at.end.line) {
+      out_ +=
+          fmt::format("col={},endColumn={},", at.begin.column, at.end.column);
+    }
+    out_ += fmt::format("title={}::{}\n", escaped(title, true),
+                        escaped(message, false));
   }
 
   const Report& report_;

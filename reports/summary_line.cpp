@@ -4,7 +4,9 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <map>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "reports/explain.h"
@@ -92,6 +94,30 @@ std::string summary_line(const Report& report, const Painter& paint) {
     out += "; " + quantity(summary.failures, "failed self-check");
   }
   return out;
+}
+
+std::string rule_counts(const Report& report) {
+  constexpr std::size_t kMany = 20;  // fewer are seen at a glance
+  std::map<std::string_view, std::size_t> counts;
+  std::size_t all = 0;
+  for (const FileReport& file : report.files) {
+    for (const Diagnostic& finding : file.findings) {
+      ++counts[rule_name(finding)];
+      ++all;
+    }
+  }
+  if (all < kMany || counts.size() < 2) return {};
+  std::vector<std::pair<std::string_view, std::size_t>> sorted(counts.begin(),
+                                                               counts.end());
+  std::stable_sort(
+      sorted.begin(), sorted.end(),
+      [](const auto& a, const auto& b) { return a.second > b.second; });
+  std::string out;
+  for (const auto& [rule, count] : sorted) {
+    out +=
+        fmt::format("{}{} {}", out.empty() ? "by rule: " : ", ", count, rule);
+  }
+  return out + "\n";
 }
 
 }  // namespace rung

@@ -11,4 +11,8 @@ namespace rung {
 /// says what was looked at.
 std::string summary_line(const Report& report, const Painter& paint);
 
+/// "by rule: 28 double-coil, 3 zero-preset" and a line end, where there are so
+/// many findings that one wants to know which rules they come from.
+std::string rule_counts(const Report& report);
+
 }  // namespace rung

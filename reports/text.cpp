@@ -62,6 +62,7 @@ class TextWriter {
     for (const FileReport& file : report_.files) write_file(file);
     if (detail_ != TextOptions::Detail::Quiet) {
       write_notes();
+      out_ += rule_counts(report_);
       out_ += summary_line(report_, paint_) + "\n";
     }
     return std::move(out_);

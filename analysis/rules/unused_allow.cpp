@@ -24,8 +24,8 @@ Good:
     Q0 = I1;
 
 ## Limits
-A line covers the findings that begin on it or on the line below, of the rules
-that it names.
+A comment covers the findings that begin on its line and, where it has a line of
+its own, on the line below and in the rung below, of the rules that it names.
 )md";
 
 /// What is unused is known when every rule has spoken: see suppress().

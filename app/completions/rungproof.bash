@@ -15,7 +15,7 @@ _rungproof() {
   COMPREPLY=()
   case $previous in
     --format)
-      local formats="text json jsonl sarif junit github html"
+      local formats="text json jsonl sarif junit github gitlab html"
       [[ $command == render ]] && formats="text svg"
       COMPREPLY=($(compgen -W "$formats" -- "$current")) ;;
     --dialect) COMPREPLY=($(compgen -W "yun sim" -- "$current")) ;;

@@ -18,7 +18,7 @@ complete -c rungproof -f -n "not __fish_seen_subcommand_from $commands" -a confi
 complete -c rungproof -f -n "not __fish_seen_subcommand_from $commands" -a rule -d 'what a lint rule finds, and why'
 complete -c rungproof -s h -l help -d 'print help'
 complete -c rungproof -l version -d 'print versions'
-complete -c rungproof -l format -x -a 'text json jsonl sarif junit github html svg' -d 'FMT or FMT:FILE'
+complete -c rungproof -l format -x -a 'text json jsonl sarif junit github gitlab html svg' -d 'FMT or FMT:FILE'
 complete -c rungproof -l scan -x -d 'MIN..MAX: ms that a scan takes'
 complete -c rungproof -l rollover -d 'the clock of 32 bits begins anew after 49.7 days'
 complete -c rungproof -l stable-inputs -d 'inputs do not change in a scan'

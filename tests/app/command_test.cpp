@@ -139,8 +139,8 @@ TEST(ExitStatus, IsTheSameInEveryFormat) {
   write_text(dir / "2.rung", "Q0 = ;\n");
   write_text(dir / "3.rung",
              "//@ assume !I0\n//@ always I0 -> Q0\nQ0 = (I0 || Q0) && !I1;\n");
-  for (const std::string format :
-       {"text", "json", "jsonl", "sarif", "junit", "github", "html"}) {
+  for (const std::string format : {"text", "json", "jsonl", "sarif", "junit",
+                                   "github", "gitlab", "html"}) {
     for (const std::string status : {"0", "1", "2", "3"}) {
       SCOPED_TRACE(format + " " + status);
       const std::string selection = status == "3" ? " --property always@2" : "";
@@ -155,6 +155,40 @@ TEST(ExitStatus, IsTheSameInEveryFormat) {
                           format),
               4);
   }
+}
+
+/// Times apart, a report says nothing of how many worked on it.
+TEST(Jobs, LeaveEveryReportAsItIs) {
+  const Sandbox sandbox;
+  for (int i = 0; i < 12; ++i) {
+    const std::string number = std::to_string(i % 9);
+    write_text(sandbox.path() / ("p" + std::to_string(i) + ".rung"),
+               "//@ never Q0 && M" + number + "\nM" + number + " = I" + number +
+                   " || Q0;\nQ0 = (I1 || Q0) && !I2;\nQ1 = Q1 || I3;\n");
+  }
+  std::string reports[2];
+  for (const int jobs : {1, 5}) {
+    std::string formats;
+    for (const std::string format :
+         {"json", "jsonl", "sarif", "junit", "github", "gitlab", "html"}) {
+      formats += " --format " + format + ":" + format;
+    }
+    EXPECT_EQ(sandbox.run("rungproof check . --jobs " + std::to_string(jobs) +
+                          formats),
+              1);
+    std::string& all = reports[jobs == 1 ? 0 : 1];
+    all = sandbox.out();
+    for (const char* format :
+         {"json", "jsonl", "sarif", "junit", "github", "gitlab", "html"}) {
+      all += read_text(sandbox.path() / format);
+    }
+  }
+  EXPECT_GT(reports[0].size(), 10'000U);
+  for (std::string& report : reports) {
+    static const std::regex kTime("[0-9.]+ ms");  // of the page
+    report = std::regex_replace(steady(report), kTime, "T ms");
+  }
+  EXPECT_TRUE(reports[0] == reports[1]);
 }
 
 TEST(Lower, LeavesNoFileBehindWhenItRefuses) {

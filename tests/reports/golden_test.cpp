@@ -14,7 +14,7 @@
 //     path PATH
 //     --- source            (or `--- escaped`: \t \r \n \\ \xHH are bytes)
 //     --- text, verbose, quiet, colour, json, jsonl, sarif, junit, github,
-//         html (without style and script)
+//         gitlab, html (without style and script)
 //
 // Traces are real runs of the program: the simulator computes their values.
 
@@ -27,6 +27,7 @@
 #include "analysis/simulator.h"
 #include "frontend/script/reader.h"
 #include "reports/github.h"
+#include "reports/gitlab.h"
 #include "reports/html/page.h"
 #include "reports/json.h"
 #include "reports/junit.h"
@@ -316,6 +317,7 @@ std::string render(const Report& report, const std::string& format) {
   if (format == "sarif") return write_sarif(report);
   if (format == "junit") return write_junit(report);
   if (format == "github") return write_github(report);
+  if (format == "gitlab") return write_gitlab(report);
   if (format == "html") return without_assets(write_html(report));
   if (format == "exit") return std::to_string(exit_status(report)) + "\n";
   return "";

@@ -46,7 +46,8 @@ Linted& lint(std::string_view text, Linted& linted,
       make_obligations(program, properties, ts);
       const std::unique_ptr<Oracle> oracle = make_oracle(program, ts);
       linted.summary = run_rules(
-          {linted.sources, program, properties, ts, oracle.get()}, sink);
+          {linted.sources, program, properties, ts, oracle.get(), linted.rules},
+          sink);
     }
   }
   for (Diagnostic& finding : sink.take()) {

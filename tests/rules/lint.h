@@ -16,6 +16,7 @@ struct Linted {
   std::vector<Diagnostic> findings;  // of the readers too
   std::vector<Diagnostic> waived;
   RuleSummary summary;
+  RuleSelection rules;  // set before: what is on
 };
 
 /// Who answers the rules' questions about a program.

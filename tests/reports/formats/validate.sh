@@ -1,0 +1,77 @@
+#!/bin/sh
+# Usage: validate.sh NPM NODE PYTHON BUILD_DIR PROGRAM
+#
+# What others have to say about our reports: the goldens', and those of a run on
+# a small plant with every format at once. Installs the validators into
+# BUILD_DIR, once. Exit 77 (skipped, loudly) when they cannot be had; a report
+# that one of them refuses is a failure.
+set -u
+npm=$1
+node=$2
+python=$3
+build=$4
+program=$5
+here=$(cd "$(dirname "$0")" && pwd)
+root=$(cd "$here/../../.." && pwd)
+
+skip() {
+  echo "SKIPPED: $1: the reports were NOT checked"
+  # In CI they must be there.
+  [ -n "${CI:-}" ] && exit 1
+  exit 77
+}
+
+mkdir -p "$build"
+cp "$here/package.json" "$here"/*.js "$here"/*.schema.json "$build/"
+multitool=$build/node_modules/@microsoft/sarif-multitool-linux/Sarif.Multitool
+if [ ! -f "$multitool" ]; then
+  "$npm" install --prefix "$build" --no-audit --no-fund --ignore-scripts \
+    --loglevel=error || skip "npm cannot install the validators"
+fi
+"$python" -c 'import junitparser' 2>/dev/null ||
+  skip "python3-junitparser is missing"
+chmod +x "$multitool"
+
+# The sections of the goldens as files.
+reports=$build/reports
+rm -rf "$reports"
+mkdir -p "$reports"
+for golden in "$here"/../golden/*.report; do
+  awk -v base="$reports/$(basename "$golden" .report)" '
+    /^--- / { out = base "." substr($0, 5); next }
+    out != "" { print > out }' "$golden"
+done
+
+# A run with everything: findings, allowed and known ones, each kind of verdict.
+plant=$build/plant
+rm -rf "$plant"
+cp -R "$here/plant" "$plant"
+cd "$plant" || exit 1
+"$program" baseline write old > /dev/null || exit 1
+cp known.json "$reports/run.baseline"
+mv new.rung old/motor.rung
+"$program" check . --explain --jobs 2 --format "json:$reports/run.json" \
+  --format "jsonl:$reports/run.jsonl" --format "sarif:$reports/run.sarif" \
+  --format "junit:$reports/run.junit" --format "github:$reports/run.github" \
+  --format "gitlab:$reports/run.gitlab" > /dev/null
+status=$?
+[ "$status" = 2 ] || { echo "the run ends in $status, not in 2"; exit 1; }
+
+# Configurations: that of the plant and the one in the documentation.
+sed -n '/^    baseline = /,/^| key/ s/^    //p' "$root/docs/configuration.md" \
+  > "$build/example.toml"
+for toml in "$build/example.toml" "$plant/rungproof.toml"; do
+  "$program" lint --config "$toml" --baseline "$reports/run.baseline" \
+    "$plant/proofs.rung" > /dev/null
+  [ $? -lt 2 ] || { echo "$toml is refused"; exit 1; }
+  "$python" -c 'import json, sys, tomllib
+json.dump(tomllib.load(open(sys.argv[1], "rb")), sys.stdout)' "$toml" \
+    > "$reports/$(basename "$toml" .toml).config" || exit 1
+done
+
+failed=0
+"$node" "$build/validate.js" "$reports" "$root/docs" || failed=1
+DOTNET_SYSTEM_GLOBALIZATION_INVARIANT=1 \
+  "$node" "$build/multitool.js" "$multitool" "$reports" || failed=1
+"$python" "$here/junit.py" "$reports" || failed=1
+exit "$failed"
