@@ -13,6 +13,10 @@ constexpr const Rule* kRules[] = {
 #undef RUNG_RULE
 };
 
+bool says_the_same(const Diagnostic& a, const Diagnostic& b) {
+  return a.code == b.code && a.where == b.where && a.message == b.message;
+}
+
 }  // namespace
 
 std::span<const Rule* const> all_rules() { return kRules; }
@@ -34,6 +38,9 @@ RuleSummary run_rules(const RuleContext& context, DiagnosticSink& sink,
   const RuleSummary summary = run.decide();
   std::vector<Diagnostic> findings = suppress(context, found.take());
   sort_diagnostics(findings);
+  // A reader may put one statement into the program several times.
+  findings.erase(std::unique(findings.begin(), findings.end(), says_the_same),
+                 findings.end());
   for (Diagnostic& finding : findings) sink.report(std::move(finding));
   return summary;
 }

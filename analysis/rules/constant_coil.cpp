@@ -24,6 +24,11 @@ Good:
 Only cells with this one writer: two rungs are told by `double-coil`.
 )md";
 
+std::string literal(const Node& node) {
+  if (node.type == Type::Word) return std::to_string(node.value);
+  return node.value != 0 ? "true" : "false";
+}
+
 void check(RuleRun& run) {
   for (const RungId id : ids_of(run.program.rungs)) {
     const Rung& rung = run.program.rungs[id];
@@ -32,8 +37,7 @@ void check(RuleRun& run) {
       continue;
     }
     run.report(rung.where, quoted(run.program, rung.target) + " is always " +
-                               std::string(text_of(
-                                   run, run.program.nodes[rung.root()].where)));
+                               literal(run.program.nodes[rung.root()]));
   }
 }
 

@@ -1,3 +1,4 @@
+#include "analysis/rules/jumped_over.h"
 #include "analysis/rules/support.h"
 
 namespace rung {
@@ -37,6 +38,14 @@ std::string_view effect(NodeOp op, bool value) {
   return "makes this a constant";
 }
 
+/// Is the node the `run && x` of a statement under a condition? A literal there
+/// is what is assigned.
+bool is_assigned(const RuleRun& run, std::uint32_t node) {
+  const Rung& rung = run.program.rungs[RungId(run.index.rung_of[node])];
+  return is_jumped_over(run.program, rung) &&
+         run.program.nodes[rung.root()].a == node;
+}
+
 void check(RuleRun& run) {
   const std::vector<Node>& nodes = run.program.nodes;
   for (std::uint32_t i = 0; i < nodes.size(); ++i) {
@@ -44,6 +53,7 @@ void check(RuleRun& run) {
     if (node.op != NodeOp::Constant || node.type != Type::Bit) continue;
     const std::uint32_t parent = run.index.parent[i];
     if (parent == ProgramIndex::kNone) continue;
+    if (is_assigned(run, parent)) continue;
     const NodeOp op = nodes[parent].op;
     if (!is_and_or(op) && op != NodeOp::Not) continue;
     run.explain(RungId(run.index.rung_of[i]));

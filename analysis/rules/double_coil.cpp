@@ -36,6 +36,7 @@ struct Pair {
 
 void judge(RuleRun& run, const Pair& pair, std::size_t writers,
            std::span<const RuleRun::Evidence> answers) {
+  if (run.explained(RungId(pair.later))) return;
   const Rung& earlier = run.program.rungs[RungId(pair.earlier)];
   const Rung& later = run.program.rungs[RungId(pair.later)];
   const std::string name = quoted(run.program, pair.cell);
@@ -59,6 +60,7 @@ void judge(RuleRun& run, const Pair& pair, std::size_t writers,
 
 void check(RuleRun& run) {
   for (const CellId cell : ids_of(run.program.cells)) {
+    if (is_implicit(run.program, cell)) continue;
     const std::span<const std::uint32_t> writers =
         run.index.writers[cell.index()];
     for (std::size_t i = writers.size(); i-- > 1;) {

@@ -45,7 +45,8 @@ void check(RuleRun& run) {
   for (const RungId id : ids_of(run.program.rungs)) {
     const Rung& rung = run.program.rungs[id];
     if (run.program.cells[rung.target].type != Type::Bit ||
-        count_contacts(run, rung) < kFewContacts) {
+        count_contacts(run, rung) < kFewContacts ||
+        run.ts.exprs.is_constant(run.ts.rung_value[id.index()])) {
       continue;
     }
     RungId& known = first[run.ts.rung_value[id.index()].index()];

@@ -34,15 +34,23 @@ constexpr std::size_t kMostReads = 8;
 
 }  // namespace
 
+CellId guard_of(const Program& program, const Rung& rung) {
+  const auto at = [&](std::uint32_t node) { return program.nodes[node]; };
+  const Node root = at(rung.root());
+  const bool word = root.op == NodeOp::Add;
+  if (!word && root.op != NodeOp::Or) return {};
+  const Node kept = at(root.b);
+  if (kept.op != (word ? NodeOp::Multiply : NodeOp::And)) return {};
+  Node condition = at(kept.a);
+  if (word && condition.op == NodeOp::ToWord) condition = at(condition.a);
+  if (condition.op != NodeOp::Not) return {};
+  const Node read = at(condition.a);
+  const bool made = read.op == NodeOp::Read && program.cells[read.cell].made;
+  return made ? read.cell : CellId();
+}
+
 bool is_jumped_over(const Program& program, const Rung& rung) {
-  const Node& root = program.nodes[rung.root()];
-  if (root.op != NodeOp::Or) return false;
-  const Node& kept = program.nodes[root.b];
-  if (kept.op != NodeOp::And) return false;
-  const Node& condition = program.nodes[kept.a];
-  if (condition.op != NodeOp::Not) return false;
-  const Node& read = program.nodes[condition.a];
-  return read.op == NodeOp::Read && program.cells[read.cell].made;
+  return guard_of(program, rung).has_value();
 }
 
 std::vector<Latch> find_latches(const Program& program,

@@ -1,3 +1,5 @@
+#include <vector>
+
 #include "analysis/rules/support.h"
 
 namespace rung {
@@ -27,11 +29,17 @@ A rung without any branch that could set it is told by `reset-without-set`.
 
 void check(RuleRun& run) {
   for (const Latch& latch : run.latches) {
-    if (run.index.writers[latch.cell.index()].back() != latch.rung.index()) {
-      continue;
+    const std::span<const std::uint32_t> writers =
+        run.index.writers[latch.cell.index()];
+    if (writers.back() != latch.rung.index()) continue;
+    // What one rung sets and another resets in the same scan is set.
+    std::vector<ExprId> values;
+    values.reserve(writers.size());
+    for (const std::uint32_t rung : writers) {
+      values.push_back(run.ts.rung_value[rung]);
     }
     run.ask(RuleRun::Want::Proof,
-            {run.ts.exprs.negation(run.ts.cell_end[latch.cell.index()])},
+            {run.ts.exprs.negation(run.ts.exprs.disjunction(values))},
             [latch](RuleRun& now, std::span<const RuleRun::Evidence> answers) {
               if (answers[0].answer != RuleRun::Answer::Yes ||
                   now.explained(latch.rung)) {

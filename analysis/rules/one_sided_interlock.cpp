@@ -1,5 +1,4 @@
-#include <vector>
-
+#include "analysis/rules/interlock.h"
 #include "analysis/rules/support.h"
 
 namespace rung {
@@ -32,30 +31,6 @@ Both rungs must hold themselves. What must never be on together is better said
 by `//@ interlock`, which is proved for any rungs.
 )md";
 
-/// Outputs whose inverted contact breaks the latch.
-std::vector<CellId> locked_against(const RuleRun& run, const Latch& latch) {
-  std::vector<CellId> cells;
-  for (const std::uint32_t node : latch.breaks) {
-    for (const std::uint32_t part : operands(run.program, node, NodeOp::And)) {
-      const Contact contact = contact_at(run.program, part);
-      if (contact.cell.has_value() && contact.inverted &&
-          contact.cell != latch.cell &&
-          run.program.cells[contact.cell].role == CellRole::Output) {
-        cells.push_back(contact.cell);
-      }
-    }
-  }
-  return cells;
-}
-
-bool reads(const RuleRun& run, const Rung& rung, CellId cell) {
-  for (std::uint32_t i = rung.begin; i < rung.end; ++i) {
-    const Node& node = run.program.nodes[i];
-    if (node.op == NodeOp::Read && node.cell == cell) return true;
-  }
-  return false;
-}
-
 void ask(RuleRun& run, const Latch& locked, const Latch& free) {
   const ExprId both = run.ts.exprs.conjunction(
       run.ts.cell_end[locked.cell.index()], run.ts.cell_end[free.cell.index()]);
@@ -75,23 +50,8 @@ void ask(RuleRun& run, const Latch& locked, const Latch& free) {
 }
 
 void check(RuleRun& run) {
-  std::vector<const Latch*> latch_of(run.program.cells.size());
-  for (const Latch& latch : run.latches) {
-    if (!latch.sets.empty() &&
-        run.program.cells[latch.cell].role == CellRole::Output) {
-      latch_of[latch.cell.index()] = &latch;
-    }
-  }
-  for (const Latch& latch : run.latches) {
-    if (latch_of[latch.cell.index()] != &latch) continue;
-    for (const CellId other : locked_against(run, latch)) {
-      const Latch* const free = latch_of[other.index()];
-      if (free == nullptr ||
-          reads(run, run.program.rungs[free->rung], latch.cell)) {
-        continue;
-      }
-      ask(run, latch, *free);
-    }
+  for (const OneSided& pair : one_sided_pairs(run)) {
+    ask(run, *pair.locked, *pair.free);
   }
 }
 

@@ -50,6 +50,7 @@ bool has_call(const RuleRun& run, const Rung& rung) {
 
 void check(RuleRun& run) {
   for (const CellId cell : ids_of(run.program.cells)) {
+    if (is_implicit(run.program, cell)) continue;
     const std::span<const std::uint32_t> writers =
         run.index.writers[cell.index()];
     for (std::size_t i = 1; i < writers.size(); ++i) {

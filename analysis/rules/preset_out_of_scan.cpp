@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "analysis/rules/support.h"
 
 namespace rung {
@@ -22,13 +24,22 @@ Good:
     Q0 = T(0, 0.5, I0);
 
 ## Limits
-The longest scan is 100 ms unless a `//@ scan` line says otherwise. Preset 0 is
+The longest scan is 100 ms unless a `//@ scan` line says otherwise; without such
+a line the finding is a note. Preset 0 is
 told by `zero-preset`.
 )md";
 
 constexpr std::int64_t kClockWraps = std::int64_t{1} << 32;
 
+/// Does a line say how long a scan takes?
+bool scan_is_declared(const RuleRun& run) {
+  return std::any_of(
+      run.program.annotations.begin(), run.program.annotations.end(),
+      [](const AstAnnotation& line) { return line.text.starts_with("scan "); });
+}
+
 void check(RuleRun& run) {
+  const bool declared = scan_is_declared(run);
   for (const ElementCall& call : run.program.calls) {
     const Instance& instance = run.program.instances[call.instance];
     if (instance.kind->family != ElementFamily::Timer ||
@@ -40,7 +51,8 @@ void check(RuleRun& run) {
                  "the preset of " + quoted(instance.name) +
                      " is shorter than a scan may take (" +
                      std::to_string(run.program.scan.max_ms) + " ms)",
-                 {.help = "`//@ scan MIN..MAX ms` says how long a scan takes"});
+                 {.help = "`//@ scan MIN..MAX ms` says how long a scan takes",
+                  .downgrade = !declared});
     } else if (call.parameter >= kClockWraps) {
       run.report(call.where, "the preset of " + quoted(instance.name) +
                                  " is longer than the clock of a controller");

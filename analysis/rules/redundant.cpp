@@ -1,8 +1,10 @@
 #include "analysis/rules/redundant.h"
 
+#include <algorithm>
 #include <utility>
 #include <vector>
 
+#include "analysis/property_text.h"
 #include "analysis/rules/jumped_over.h"
 #include "analysis/rules/support.h"
 
@@ -84,6 +86,13 @@ bool is_told_elsewhere(const RuleRun& run, std::uint32_t node,
   return constant && run.program.nodes[node].op != NodeOp::Or;
 }
 
+/// Has the operand a text that one could take out? A drawn branch may be
+/// nothing but its comma.
+bool is_written(const RuleRun& run, std::uint32_t node) {
+  const std::string_view text = text_of(run, run.program.nodes[node].where);
+  return text.empty() || std::any_of(text.begin(), text.end(), is_word_part);
+}
+
 void judge(RuleRun& run, const std::vector<std::uint32_t>& candidates,
            std::span<const RuleRun::Evidence> answers, const Report& report) {
   if (answers[0].answer == RuleRun::Answer::Yes ||
@@ -98,7 +107,7 @@ void judge(RuleRun& run, const std::vector<std::uint32_t>& candidates,
     const std::uint32_t nodes = node - run.index.first[node] + 1;
     const auto claims = answers.subspan(2 + i * kClaims, kClaims);
     if (claims[0].answer != RuleRun::Answer::Yes || nodes < size ||
-        is_told_elsewhere(run, node, claims)) {
+        !is_written(run, node) || is_told_elsewhere(run, node, claims)) {
       continue;
     }
     size = nodes;

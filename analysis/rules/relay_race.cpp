@@ -30,7 +30,8 @@ Good:
 Races are searched by running the program from sampled states; what is found is
 a race, but not every race is found. A cell that does not change in every single
 scan is only noted: a sequence runs in circles as well when all its sensors are
-true at once. A blinker made with timers is none: it waits for time to pass.
+true at once. So is a rung that only inverts itself (`M0 = !M0`). A blinker made
+with timers is none: it waits for time to pass.
 Source: Aiken, Faehndrich, Su, "Detecting races in relay ladder logic
 programs", TACAS 1998.
 )md";
@@ -44,6 +45,12 @@ std::string held_text(const RuleRun& run, const Unrest& unrest) {
             " = " + std::to_string(value);
   }
   return text.empty() ? text : text + " held";
+}
+
+/// `M0 = !M0`: a clock that goes with the scan, and is meant to.
+bool is_toggle(const RuleRun& run, const Rung& rung) {
+  const Contact contact = contact_at(run.program, rung.root());
+  return contact.cell == rung.target && contact.inverted;
 }
 
 void check(RuleRun& run) {
@@ -62,12 +69,12 @@ void check(RuleRun& run) {
     }
     told[component] = true;
     const Rung& rung = run.program.rungs[RungId(writers.back())];
-    run.report(
-        rung.where,
-        quoted(run.program, unrest.cell) +
-            " never comes to rest: it changes from scan to scan while "
-            "all inputs are held",
-        {.help = held_text(run, unrest), .downgrade = !unrest.every_scan});
+    run.report(rung.where,
+               quoted(run.program, unrest.cell) +
+                   " never comes to rest: it changes from scan to scan while "
+                   "all inputs are held",
+               {.help = held_text(run, unrest),
+                .downgrade = !unrest.every_scan || is_toggle(run, rung)});
   }
 }
 

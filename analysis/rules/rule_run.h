@@ -9,6 +9,7 @@
 
 #include "analysis/rule.h"
 #include "analysis/rules/latch.h"
+#include "analysis/rules/past.h"
 #include "analysis/rules/program_index.h"
 
 namespace rung {
@@ -50,6 +51,7 @@ class RuleRun {
   const ProgramIndex index;
   const std::vector<Latch> latches;
   const bool has_oracle;  // will anyone answer?
+  Past past;              // what was in the scan before
 
   void report(SourceRange where, std::string message, Details details);
   void report(SourceRange where, std::string message);

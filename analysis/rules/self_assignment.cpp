@@ -1,3 +1,4 @@
+#include "analysis/rules/jumped_over.h"
 #include "analysis/rules/support.h"
 
 namespace rung {
@@ -29,6 +30,8 @@ void check(RuleRun& run) {
   for (const RungId id : ids_of(run.program.rungs)) {
     if (!run.index.reads_itself[id.index()]) continue;
     const Rung& rung = run.program.rungs[id];
+    if (is_jumped_over(run.program, rung))
+      continue;  // it may never be executed
     for (std::uint32_t i = rung.begin; i < rung.end; ++i) {
       const Node& node = run.program.nodes[i];
       if (node.op != NodeOp::Read || node.cell != rung.target) continue;

@@ -12,6 +12,10 @@ std::string quoted(const Program& program, CellId cell) {
   return quoted(program.cells[cell].name);
 }
 
+bool is_implicit(const Program& program, CellId cell) {
+  return program.cells[cell].name == "ENO";
+}
+
 std::string counted(std::size_t count, std::string_view thing) {
   return std::to_string(count) + " " + std::string(thing) +
          (count == 1 ? "" : "s");

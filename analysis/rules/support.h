@@ -13,6 +13,10 @@ namespace rung {
 std::string quoted(std::string_view name);
 std::string quoted(const Program& program, CellId cell);
 
+/// An output that every function of IEC 61131-3 has: the reader assigns it,
+/// too.
+bool is_implicit(const Program& program, CellId cell);
+
 /// "1 rung", "2 rungs"
 std::string counted(std::size_t count, std::string_view thing);
 

@@ -5,7 +5,7 @@
 #include "analysis/property.h"
 #include "analysis/transition_system.h"
 #include "explicit_oracle.h"
-#include "frontend/script/reader.h"
+#include "frontend/recognise.h"
 
 namespace rung::testing {
 namespace {
@@ -34,7 +34,8 @@ Linted& lint(std::string_view text, Linted& linted,
              const OracleMaker& make_oracle) {
   const FileId file = linted.sources.add("test.rung", std::string(text));
   DiagnosticList sink;
-  const Ast ast = read_script(linted.sources, file, "", sink);
+  const Language& language = recognise(text);
+  const Ast ast = language.read(linted.sources, file, {}, sink);
   BuildOptions options;
   options.scan = {100, 100};
   if (!sink.has_errors()) {
