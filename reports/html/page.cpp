@@ -8,6 +8,7 @@
 #include "reports/assets.h"
 #include "reports/cone.h"
 #include "reports/explain.h"
+#include "reports/explanation.h"
 #include "reports/frame.h"
 #include "reports/html/ladders.h"
 #include "reports/html/run.h"
@@ -261,6 +262,7 @@ class Page {
         markup(title_of(result.obligation)), has_run ? " has-run" : "");
     add("<p>{}</p>\n", markup(sentence(file, result)));
     write_run(file, result);
+    write_explanation(file, result);
     write_evidence(result);
     add("</details>\n");
   }
@@ -329,17 +331,40 @@ class Page {
         at.column);
   }
 
-  void write_evidence(const ObligationResult& result) {
-    if (result.certificate && !result.certificate->lemmas.empty()) {
-      add("<p>{}</p>\n<ul>\n", result.verdict == Verdict::Proved
+  /// A certificate in words.
+  void write_proof(const ObligationResult& result) {
+    const Certificate& proof = *result.certificate;
+    const bool is_proved = result.verdict == Verdict::Proved;
+    if (!proof.lemmas.empty()) {
+      add("<p>{}</p>\n<ul>\n", is_proved
                                    ? "In every state that a run can reach:"
                                    : "From there on:");
-      for (const std::string& lemma : result.certificate->lemmas) {
+      for (const std::string& lemma : proof.lemmas) {
         add("<li>{} <code class=\"soft\">{}</code></li>\n",
             markup(in_words(lemma)), markup(lemma));
       }
       add("</ul>\n");
+    } else if (is_proved && result.obligation.goal == Goal::Invariant) {
+      add("<p>No lemma is needed: any scan alone shows it.</p>\n");
     }
+    if (proof.ways.empty()) return;
+    add("<p>There lead, each line to the goal or to a line above:</p>\n<ul>\n");
+    for (const std::string& way : proof.ways) {
+      add("<li><code>{}</code></li>\n", markup(way));
+    }
+    add("</ul>\n");
+  }
+
+  void write_explanation(const FileReport& file,
+                         const ObligationResult& result) {
+    const Explanation* const why = explanation_of(file, result.obligation);
+    if (why == nullptr || !file.program) return;
+    add("<pre tabindex=\"0\">{}</pre>\n",
+        markup_lines(explanation_text(file, *why, Painter(false), locator_)));
+  }
+
+  void write_evidence(const ObligationResult& result) {
+    if (result.certificate) write_proof(result);
     add("<p class=\"soft\">{}by {}, {:.1f} ms",
         place_of(result.obligation.where), markup(result.engine),
         result.milliseconds);

@@ -18,7 +18,8 @@ class Run {
     this.ladders = this.make_ladders();
     this.times = this.rows.map(row => row.cells[1].textContent);
     this.timing = new Timing(
-        this.data, this.times, root.querySelector('.remark.bad') !== null);
+        this.data, this.times, root.querySelector('.remark.bad') !== null,
+        root.clientWidth - 240);
     this.make_controls();
     root.prepend(this.controls, this.timing.element);
     this.listen();

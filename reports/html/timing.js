@@ -2,13 +2,15 @@
 
 /** The signals over time: a line a bit, a band a word. */
 class Timing {
-  constructor(data, times, ends_badly) {
+  /** Few lines are spread over `room` pixels. */
+  constructor(data, times, ends_badly, room) {
     this.ends_badly = ends_badly;
+    const unit = Math.max(56, Math.min(140, Math.floor(room / times.length)));
     this.row = 26;
     this.top = 18;
     this.x = [10];  // where each step begins; what stands before is the start
     for (const repeat of data.repeat) {
-      this.x.push(this.x[this.x.length - 1] + (repeat > 1 ? 80 : 56));
+      this.x.push(this.x[this.x.length - 1] + (repeat > 1 ? unit + 24 : unit));
     }
     const height = this.top + data.signals.length * this.row + 20;
     const width = this.x[this.x.length - 1] + 28;
@@ -50,10 +52,9 @@ class Timing {
         parts.push(svg('text', {class: 'repeat', x: (this.x[i] + end) / 2, y: 12},
                        `×${repeat}`));
       }
-      const half = times[i].length * 3.4;
-      if (end - half < free) return;
-      parts.push(svg('text', {class: 'time', x: end, y: height - 4}, times[i]));
-      free = end + half + 4;
+      if (end - 4 - times[i].length * 6.8 < free) return;
+      parts.push(svg('text', {class: 'time', x: end - 4, y: height - 4}, times[i]));
+      free = end;
     });
     if (this.ends_badly) parts.push(...this.bad_end(height));
     return parts;
@@ -62,7 +63,7 @@ class Timing {
   bad_end(height) {
     const x = this.x[this.x.length - 1];
     return [svg('path', {class: 'end', d: `M${x} ${this.top - 4}V${height - 16}`}),
-            svg('text', {class: 'cross', x, y: 11}, '✗')];
+            svg('text', {class: 'cross', x: x + 4, y: 15}, '✗')];
   }
 
   signal(signal, index) {
