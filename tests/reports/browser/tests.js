@@ -347,6 +347,10 @@ async function five_hundred_properties_are_light(browser, scenes) {
     await last.locator('output').waitFor();
     assert.ok(await last.locator('svg.ladder path.on').count() > 0);
     assert.match(await last.locator('.why').textContent(), /^Power reaches /);
+    // On paper all of them are there.
+    await page.evaluate(() => { dispatchEvent(new Event('beforeprint')); });
+    assert.strictEqual(await page.locator('details[open] .controls').count(),
+                       wrong);
   });
 }
 
