@@ -11,9 +11,10 @@ namespace {
 std::string table() {
   std::string out;
   for (const Rule* rule : all_rules()) {
-    out += fmt::format(
-        "{:<6} {:<8} {:<7} {}\n", rule->code, to_string(rule->severity),
-        rule->decision == Decision::Solver ? "solver" : "syntax", rule->name);
+    out += fmt::format("{:<6} {:<8} {:<7} {:<9} {}\n", rule->code,
+                       to_string(rule->severity),
+                       rule->decision == Decision::Solver ? "solver" : "syntax",
+                       to_string(rule->pack), rule->name);
   }
   return out;
 }
@@ -22,10 +23,10 @@ std::string page(const Rule& rule) {
   std::string_view doc = rule.doc;
   while (doc.starts_with('\n')) doc.remove_prefix(1);
   return fmt::format(
-      "# {}: {}\n\n{}, decided {}\n\n{}", rule.code, rule.name,
+      "# {}: {}\n\n{}, decided {}, pack `{}`\n\n{}", rule.code, rule.name,
       to_string(rule.severity),
       rule.decision == Decision::Solver ? "by the solver" : "on the syntax",
-      doc);
+      to_string(rule.pack), doc);
 }
 
 std::string unknown_rule(const std::string& wanted) {

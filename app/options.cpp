@@ -256,6 +256,24 @@ void add_links(CLI::App& app, RawOptions& raw, Options& options) {
   monitor->add_option("--scans", raw.scans, "how many scans; else until ^C");
 }
 
+/// What goes with `lint`.
+void add_lint_commands(CLI::App& app, RawOptions& raw, Options& options) {
+  CLI::App* baseline = add_command(
+      app, "baseline", "findings that are known: write, prune, check");
+  baseline->add_option("ACTION", options.action, "write, prune or check")
+      ->required()
+      ->check(CLI::IsMember({"write", "prune", "check"}));
+  add_files(baseline, options, 1, kMany);
+  baseline->add_flag("--accept-new", options.accept_new,
+                     "write: also what the baseline does not have yet");
+  CLI::App* config =
+      add_command(app, "config", "the configuration of a file, and its origin");
+  config->add_option("ACTION", options.action, "show")
+      ->required()
+      ->check(CLI::IsMember({"show"}));
+  config->add_option("FILE", raw.file, "a program; else any of this directory");
+}
+
 void add_commands(CLI::App& app, RawOptions& raw, Options& options) {
   add_files(add_command(app, "check", "findings and proofs, one report"),
             options, 1, kMany);
@@ -306,20 +324,7 @@ void add_commands(CLI::App& app, RawOptions& raw, Options& options) {
   add_files(render, options, 1, 1);
   render->add_flag("--ascii", options.ascii, "no box-drawing characters");
   add_links(app, raw, options);
-  CLI::App* baseline = add_command(
-      app, "baseline", "findings that are known: write, prune, check");
-  baseline->add_option("ACTION", options.action, "write, prune or check")
-      ->required()
-      ->check(CLI::IsMember({"write", "prune", "check"}));
-  add_files(baseline, options, 1, kMany);
-  baseline->add_flag("--accept-new", options.accept_new,
-                     "write: also what the baseline does not have yet");
-  CLI::App* config =
-      add_command(app, "config", "the configuration of a file, and its origin");
-  config->add_option("ACTION", options.action, "show")
-      ->required()
-      ->check(CLI::IsMember({"show"}));
-  config->add_option("FILE", raw.file, "a program; else any of this directory");
+  add_lint_commands(app, raw, options);
   CLI::App* rule = add_command(app, "rule", "what a lint rule finds, and why");
   rule->add_option("CODE", options.rule, "a code or a name; else a list");
 }
