@@ -27,7 +27,7 @@ class Past {
  private:
   TransitionSystem& ts_;
   std::unordered_map<std::uint32_t, ExprId> memory_;  // by term
-  ExprId ran_;  // a scan has been made
+  ExprId ran_;                                        // a scan has been made
 };
 
 }  // namespace rung
