@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "analysis/fixes/fixes.h"
 #include "analysis/rule.h"
 #include "smt/oracle.h"
 
@@ -24,6 +25,7 @@ void lint(const SourceSet& sources, const Program& program, FileReport& report,
   const RuleSummary summary = run_rules(
       {sources, program, report.properties, ts, &oracle, rules}, found);
   take_findings(found.take(), report);
+  offer_fixes(sources, program, report.findings);
   if (summary.undecided > 0) {
     report.notes.push_back(fmt::format(
         "{} of the {} questions of the solver-decided rules are left open, and "

@@ -17,13 +17,14 @@ struct Command {
 };
 
 constexpr Command kCommands[] = {
-    {"check", run_check},   {"lint", run_check},
+    {"check", run_check},   {"lint", run_lint},
     {"prove", run_check},   {"equiv", run_equiv},
     {"lower", run_lower},   {"run", run_simulation},
     {"render", run_render}, {"rule", run_rule},
     {"export", run_export}, {"bound", run_bound},
     {"upload", run_upload}, {"monitor", run_monitor},
     {"config", run_config}, {"baseline", run_baseline},
+    {"lsp", run_lsp},
 };
 
 int run(int argc, char** argv) {

@@ -277,7 +277,12 @@ void add_lint_commands(CLI::App& app, RawOptions& raw, Options& options) {
 void add_commands(CLI::App& app, RawOptions& raw, Options& options) {
   add_files(add_command(app, "check", "findings and proofs, one report"),
             options, 1, kMany);
-  add_files(add_command(app, "lint", "findings only"), options, 1, kMany);
+  CLI::App* lint = add_command(app, "lint", "findings only");
+  add_files(lint, options, 1, kMany);
+  lint->add_flag("--fix", options.fix,
+                 "apply the fixes after which the program is proved the same");
+  lint->add_flag("--diff", options.diff,
+                 "print what --fix would change, and change nothing");
   CLI::App* prove = add_command(app, "prove", "properties only");
   add_files(prove, options, 1, kMany);
   prove->add_flag("--sweep", options.sweep,
@@ -325,13 +330,17 @@ void add_commands(CLI::App& app, RawOptions& raw, Options& options) {
   render->add_flag("--ascii", options.ascii, "no box-drawing characters");
   add_links(app, raw, options);
   add_lint_commands(app, raw, options);
+  add_command(app, "lsp", "serve an editor, by the language server protocol")
+      ->add_flag("--stdio")
+      ->description("what editors say; there is no other way");
   CLI::App* rule = add_command(app, "rule", "what a lint rule finds, and why");
   rule->add_option("CODE", options.rule, "a code or a name; else a list");
 }
 
 constexpr std::string_view kCommandNames[] = {
-    "check",  "lint",   "prove",    "equiv",  "bound", "lower",  "run",
-    "export", "render", "baseline", "config", "rule",  "upload", "monitor"};
+    "check",  "lint", "prove",  "equiv",   "bound",
+    "lower",  "run",  "export", "render",  "baseline",
+    "config", "rule", "upload", "monitor", "lsp"};
 
 /// CLI11 would say that a command is missing, and not which ones there are.
 std::optional<std::string> unknown_command(int argc, char** argv) {

@@ -63,6 +63,9 @@ struct Options {
   std::string certificates;
   std::string cache;  // on, off or a directory; empty: the environment says
   std::vector<std::pair<std::string, std::string>> map;
+  // lint
+  bool fix = false;
+  bool diff = false;
   // equiv
   std::vector<std::string> rungs;
   std::uint32_t delay = 0;

@@ -25,6 +25,7 @@ class Session {
   const std::vector<Input>& inputs() const { return inputs_; }
   SourceSet& sources() { return sources_; }
   const SourceSet& sources() const { return sources_; }
+  const std::vector<AstAnnotation>& extra() const { return extra_; }
   const Options& options() const { return options_; }
   /// Of `--props`, as lines; no value: there are none.
   FileId properties_file() const { return properties_file_; }

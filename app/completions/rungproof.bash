@@ -3,7 +3,7 @@
 
 _rungproof() {
   local current=${COMP_WORDS[COMP_CWORD]} previous=${COMP_WORDS[COMP_CWORD-1]}
-  local commands="check lint prove equiv bound lower export run render baseline config rule upload monitor"
+  local commands="check lint prove equiv bound lower export run render baseline config rule upload monitor lsp"
   local common="--help --version --format --scan --semantics --rollover --stable-inputs --pou --dialect
     --language --props --timeout --engine --jobs --fail-on --color --quiet
     --verbose --property --self-check --recheck --certificates --map
@@ -46,6 +46,7 @@ _rungproof() {
     *)
       if [[ $previous != --props && $current == -* ]]; then
         case $command in
+          lint) common+=" --fix --diff" ;;
           prove) common+=" --sweep --replay-on --traces" ;;
           baseline) common+=" --accept-new" ;;
           equiv) common+=" --rung --delay --settled --git" ;;
@@ -54,6 +55,7 @@ _rungproof() {
           run) common+=" --stimulus --scans --dt --out" ;;
           render) common+=" --ascii" ;;
           upload) common+=" --port --tcp --baud --wait --clear-outputs" ;;
+          lsp) common+=" --stdio" ;;
           monitor) common+=" --port --tcp --baud --wait --scans" ;;
         esac
         COMPREPLY=($(compgen -W "$common" -- "$current"))

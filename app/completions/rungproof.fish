@@ -1,7 +1,7 @@
 # fish completion of rungproof; tests/app/manual_test.cpp compares it with the
 # options that the program has.
 
-set -l commands check lint prove equiv bound lower export run render baseline config rule upload monitor
+set -l commands check lint prove equiv bound lower export run render baseline config rule upload monitor lsp
 complete -c rungproof -f -n "not __fish_seen_subcommand_from $commands" -a check -d 'findings and proofs, one report'
 complete -c rungproof -f -n "not __fish_seen_subcommand_from $commands" -a lint -d 'findings only'
 complete -c rungproof -f -n "not __fish_seen_subcommand_from $commands" -a prove -d 'properties only'
@@ -16,6 +16,7 @@ complete -c rungproof -f -n "not __fish_seen_subcommand_from $commands" -a monit
 complete -c rungproof -f -n "not __fish_seen_subcommand_from $commands" -a baseline -d 'findings that are known'
 complete -c rungproof -f -n "not __fish_seen_subcommand_from $commands" -a config -d 'the configuration of a file'
 complete -c rungproof -f -n "not __fish_seen_subcommand_from $commands" -a rule -d 'what a lint rule finds, and why'
+complete -c rungproof -f -n "not __fish_seen_subcommand_from $commands" -a lsp -d 'serve an editor'
 complete -c rungproof -s h -l help -d 'print help'
 complete -c rungproof -l version -d 'print versions'
 complete -c rungproof -l format -x -a 'text json jsonl sarif junit github gitlab html svg' -d 'FMT or FMT:FILE'
@@ -46,6 +47,9 @@ complete -c rungproof -l rule -x -d 'NAME=SEVERITY'
 complete -c rungproof -l baseline -r -F -d 'findings that are in it do not count'
 complete -c rungproof -n '__fish_seen_subcommand_from baseline' -l accept-new -d 'also what the baseline does not have yet'
 complete -c rungproof -l explain -d 'why it is violated, and proofs in words'
+complete -c rungproof -n '__fish_seen_subcommand_from lsp' -l stdio -d 'what editors say'
+complete -c rungproof -n '__fish_seen_subcommand_from lint' -l fix -d 'apply fixes that are proved'
+complete -c rungproof -n '__fish_seen_subcommand_from lint' -l diff -d 'print what --fix would change'
 complete -c rungproof -l map -x -d 'a=b: signal a of the first is b'
 complete -c rungproof -n '__fish_seen_subcommand_from prove' -l sweep -d 'under every preset of semantics that fits'
 complete -c rungproof -n '__fish_seen_subcommand_from prove' -l replay-on -x -a 'uno yun arm' -d 'execute violations on it'
