@@ -80,7 +80,8 @@ std::string wrong_properties(const FileReport& before,
 std::string observed_element(const FileReport& report) {
   for (const Property& property : report.properties.properties) {
     if (property.built_in) continue;
-    for (const std::string& formula : property.formulas) {
+    for (std::string formula : property.formulas) {
+      std::erase_if(formula, [](char c) { return c == ' ' || c == '\t'; });
       for (const Instance& instance : report.program->instances) {
         if (formula.find(instance.name + ".") != std::string::npos) {
           return fmt::format("a property line looks at `{}`", instance.name);

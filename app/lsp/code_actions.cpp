@@ -28,6 +28,12 @@ Json action(std::string title, bool preferred, Json edit) {
           {"edit", std::move(edit)}};
 }
 
+std::string_view status_of(const View& view, const Fix& fix) {
+  if (fix.proved) return " (proved: the program does the same)";
+  return view.fixes_decided ? " (changes what the program does, or may)"
+                            : " (not proved yet)";
+}
+
 /// A line above the finding. The reason is left for the one who knows it:
 /// without, the line allows nothing, and a finding says so.
 Json allow_action(const View& view, const Diagnostic& finding) {
@@ -53,10 +59,8 @@ Json code_actions_in(const View& view, SourceRange range) {
   for (const Diagnostic& finding : view.findings) {
     if (!touches(finding.where, range)) continue;
     for (const Fix& fix : finding.fixes) {
-      all.push_back(action(
-          fix.title + (fix.proved ? " (proved: the program does the same)"
-                                  : " (not proved to do the same)"),
-          fix.proved, workspace_edit(view, fix.edits)));
+      all.push_back(action(fix.title + std::string(status_of(view, fix)),
+                           fix.proved, workspace_edit(view, fix.edits)));
     }
     if (view.snapshot.program()->language == "script" &&
         find_rule(finding.code) != nullptr) {

@@ -2,7 +2,9 @@
 #include <filesystem>
 #include <utility>
 
+#include "analysis/fixes/apply_edits.h"
 #include "app/config.h"
+#include "app/fix_proof.h"
 #include "app/lint.h"
 #include "app/lsp/features.h"
 #include "app/lsp/refusal.h"
@@ -60,7 +62,8 @@ View Server::view_of(Document& document) const {
                                       document.text, document.options);
   }
   return {document.uri,     *document.snapshot, document.findings,
-          document.results, document.running,   encoding_};
+          document.results, document.running,   document.fixes_decided,
+          encoding_};
 }
 
 Json Server::did_open(const Json& params) {
@@ -102,6 +105,7 @@ Json Server::did_change(const Json& params) {
 Json Server::did_close(const Json& params) {
   const std::string uri = document_of(params).uri;
   stop_jobs(uri);
+  *documents_[uri]->stale = true;
   documents_.erase(uri);
   outbox_.notify("textDocument/publishDiagnostics",
                  {{"uri", uri}, {"diagnostics", Json::array()}});
@@ -130,6 +134,9 @@ void Server::text_changed(Document& document) {
   document.findings.clear();
   document.results.clear();
   document.running.clear();
+  document.fixes_decided = false;
+  *document.stale = true;
+  document.stale = std::make_shared<std::atomic<bool>>(false);
   checker_.post([this, uri = document.uri,
                  revision = document.revision] { check(uri, revision); },
                 kPause);
@@ -174,6 +181,45 @@ void Server::check(const std::string& uri, std::int64_t revision) {
   document->findings = std::move(report.findings);
   publish(*document);
   refresh_lenses();
+  checker_.post([this, uri, revision] { prove_fixes(uri, revision); });
+}
+
+/// Known a little later than the findings, and told by the quick fixes.
+void Server::prove_fixes(const std::string& uri, std::int64_t revision) {
+  using Clock = std::chrono::steady_clock;
+  constexpr double kOneProof = 2;  // seconds
+  constexpr std::chrono::seconds kAllProofs{5};
+  std::shared_ptr<const Snapshot> snapshot;
+  std::shared_ptr<std::atomic<bool>> stale;
+  std::vector<Diagnostic> findings;
+  Options options;
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    const Document* const document = find_document(uri, revision);
+    if (document == nullptr) return;
+    snapshot = document->snapshot;
+    stale = document->stale;
+    findings = document->findings;
+    options = document->options;
+  }
+  const std::vector<AstAnnotation> none;
+  const FixProof proof(snapshot->loaded, path_in(uri), options, none);
+  const Clock::time_point end = Clock::now() + kAllProofs;
+  for (Diagnostic& finding : findings) {
+    for (Fix& fix : finding.fixes) {
+      if (*stale || Clock::now() >= end) break;
+      fix.proved = make_disjoint(fix.edits) &&
+                   proof
+                       .prove(apply_edits(snapshot->text.text(), fix.edits),
+                              kOneProof, stale.get())
+                       .proved;
+    }
+  }
+  const std::lock_guard<std::mutex> lock(mutex_);
+  Document* const document = find_document(uri, revision);
+  if (document == nullptr) return;
+  document->findings = std::move(findings);
+  document->fixes_decided = true;
 }
 
 }  // namespace rung::lsp

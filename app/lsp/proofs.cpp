@@ -161,8 +161,13 @@ void Server::prove(const ProveJob& job) {
   options.budget.stop = &job.stop;
   options.progress = [&](std::string_view what) { progress.report(what); };
   if (!job.property.empty()) options.wanted = wanted_by({job.property});
-  VerifyReport report = verify(*job.snapshot->program(),
-                               job.snapshot->loaded.report.properties, options);
+  VerifyReport report;
+  try {
+    report = verify(*job.snapshot->program(),
+                    job.snapshot->loaded.report.properties, options);
+  } catch (const std::exception& error) {
+    report.failures.push_back({job.property, error.what()});
+  }
   progress.end();
   const std::lock_guard<std::mutex> lock(mutex_);
   finish(job, std::move(report));

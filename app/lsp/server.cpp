@@ -124,6 +124,7 @@ Server::Server(const Options& options, std::FILE* out)
 Server::~Server() {
   const std::lock_guard<std::mutex> lock(mutex_);
   for (auto& [id, job] : jobs_) job->stop = true;
+  for (auto& [uri, document] : documents_) *document->stale = true;
 }
 
 void Server::receive_error(const std::string& what) {

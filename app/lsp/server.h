@@ -30,6 +30,10 @@ struct Document {
   std::vector<Diagnostic> findings;
   std::vector<ObligationResult> results;
   std::set<std::string> running;
+  bool fixes_decided = false;  // each fix says whether it is proved
+  /// Set when the text is no longer this one: whoever works on it gives up.
+  std::shared_ptr<std::atomic<bool>> stale =
+      std::make_shared<std::atomic<bool>>(false);
   Options options;  // the command line's, and those of its configuration
 };
 
@@ -111,6 +115,7 @@ class Server {
 
   // On worker threads.
   void check(const std::string& uri, std::int64_t revision);
+  void prove_fixes(const std::string& uri, std::int64_t revision);
   void prove(const ProveJob& job);
 
   const Options& options_;

@@ -20,6 +20,7 @@ struct View {
       findings;  // of rules; none where not known yet
   const std::vector<ObligationResult>& results;  // of what was proved
   const std::set<std::string>& running;          // properties, by name
+  bool fixes_decided = false;  // each fix says whether it is proved
   Encoding encoding = Encoding::Utf16;
 
   const Property& property(std::uint32_t index) const {

@@ -1,6 +1,8 @@
 #include "app/lsp/worker.h"
 
 #include <algorithm>
+#include <cstdio>
+#include <exception>
 #include <utility>
 
 namespace rung::lsp {
@@ -39,7 +41,11 @@ void Worker::run() {
       const Task task = std::move(next->task);
       entries_.erase(next);
       lock.unlock();
-      task();
+      try {
+        task();
+      } catch (const std::exception& error) {
+        std::fprintf(stderr, "rungproof: internal error: %s\n", error.what());
+      }
       lock.lock();
     }
   }

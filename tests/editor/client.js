@@ -254,8 +254,46 @@ if (M0) x = 1;
   await client.stop();
 }
 
+async function quickFixes() {
+  const client = new Client();
+  await client.start();
+  const uri = 'file:///work/fixes.rung';
+  const text = 'Q0 = (I0 || Q0) && !I1 && true; // kept\n' +
+      '  Q1 = Q1 || I2;\n';
+  await client.open(uri, text);
+  const actions = async line => client.ask('textDocument/codeAction', uri, {
+    range: {start: at(line, 0), end: at(line, 40)},
+    context: {diagnostics: []}});
+  // Whether they are proved is known soon.
+  let all = await actions(0);
+  while (/not proved yet/.test(all[0].title)) {
+    await new Promise(done => setTimeout(done, 20));
+    all = await actions(0);
+  }
+  assert.deepStrictEqual(all.map(it => it.title), [
+    'remove `true` (proved: the program does the same)',
+    'allow constant-operand here (write the reason)']);
+  assert.deepStrictEqual(all.map(it => it.isPreferred), [true, false]);
+  const fixed = apply(text, all[0].edit.changes[uri]);
+  assert.strictEqual(fixed.split('\n')[0],
+                     'Q0 = (I0 || Q0) && !I1; // kept');
+  const [stop, allow] = await actions(1);
+  assert.match(stop.title, /add a stop contact.*changes what/);
+  assert.ok(!stop.isPreferred);
+  // Without a reason it allows nothing, and that is said.
+  let found = await client.change(uri, 2, [
+    {text: apply(text, allow.edit.changes[uri])}]);
+  assert.ok(found.some(it => it.data.rule === 'allow-without-reason'));
+  found = await client.change(uri, 3, [
+    {text: apply(text, allow.edit.changes[uri]).replace(
+        'set-without-reset: ', 'set-without-reset: for good')}]);
+  assert.deepStrictEqual(codes(found), ['RP302']);
+  await client.stop();
+}
+
 async function main() {
-  for (const test of [diagnosticsAsOneTypes, proofs, cancellation, names]) {
+  for (const test of [diagnosticsAsOneTypes, proofs, cancellation, names,
+                      quickFixes]) {
     await test();
     console.log(`ok ${test.name}`);
   }
