@@ -145,7 +145,7 @@ Fixes without_literal(const SourceEdits& source, const Diagnostic& finding) {
     const bool st = source.program().language == "st";
     std::string better =
         simple ? std::string(left) : "(" + std::string(left) + ")";
-    if (literal != equal) better = (st ? "NOT " : "!") + better;
+    if (literal != equal) better.insert(0, st ? "NOT " : "!");
     Fixes fixes;
     add(fixes, "write " + quoted(better), Edit{finding.where, better});
     return fixes;

@@ -19,6 +19,14 @@ bool starts_with_length(std::string_view line) {
                     [](char a, char b) { return a == lower(b); });
 }
 
+/// Where the first one stands; the end: nowhere.
+std::size_t find_length(std::string_view text) {
+  const auto found =
+      std::search(text.begin(), text.end(), kLength.begin(), kLength.end(),
+                  [](char a, char b) { return lower(a) == b; });
+  return static_cast<std::size_t>(found - text.begin());
+}
+
 /// The value of `Content-Length`; nothing when it is missing or no number.
 std::optional<std::size_t> length_in(std::string_view header) {
   std::optional<std::size_t> length;
@@ -75,13 +83,11 @@ std::optional<MessageReader::Message> MessageReader::read_body() {
 
 /// No header ends here: everything up to what looks like one is dropped.
 void MessageReader::drop_lost(std::string_view text) {
-  const auto found =
-      std::search(text.begin() + 1, text.end(), kLength.begin(), kLength.end(),
-                  [](char a, char b) { return lower(a) == b; });
+  const std::size_t found = find_length(text.substr(1)) + 1;
   // What may be the beginning of one stays.
-  used_ += found == text.end()
+  used_ += found == text.size()
                ? text.size() - std::min(text.size() - 1, kLength.size())
-               : static_cast<std::size_t>(found - text.begin());
+               : found;
 }
 
 std::optional<MessageReader::Message> MessageReader::read_header() {
@@ -94,7 +100,10 @@ std::optional<MessageReader::Message> MessageReader::read_header() {
     }
     begin = header_end(rest().substr(0, kMaxHeader));
   }
-  const std::optional<std::size_t> length = length_in(rest().substr(0, begin));
+  std::string_view header = rest().substr(0, begin);
+  // Behind bytes that were no header it need not begin a line.
+  if (lost_) header.remove_prefix(find_length(header));
+  const std::optional<std::size_t> length = length_in(header);
   used_ += begin;
   lost_ = false;
   if (!length) return Message{"", "the header has no valid Content-Length"};
