@@ -274,6 +274,12 @@ void add_lint_commands(CLI::App& app, RawOptions& raw, Options& options) {
   config->add_option("FILE", raw.file, "a program; else any of this directory");
 }
 
+void add_server(CLI::App& app) {
+  add_command(app, "lsp", "serve an editor, by the language server protocol")
+      ->add_flag("--stdio")
+      ->description("what editors say; there is no other way");
+}
+
 void add_commands(CLI::App& app, RawOptions& raw, Options& options) {
   add_files(add_command(app, "check", "findings and proofs, one report"),
             options, 1, kMany);
@@ -330,9 +336,7 @@ void add_commands(CLI::App& app, RawOptions& raw, Options& options) {
   render->add_flag("--ascii", options.ascii, "no box-drawing characters");
   add_links(app, raw, options);
   add_lint_commands(app, raw, options);
-  add_command(app, "lsp", "serve an editor, by the language server protocol")
-      ->add_flag("--stdio")
-      ->description("what editors say; there is no other way");
+  add_server(app);
   CLI::App* rule = add_command(app, "rule", "what a lint rule finds, and why");
   rule->add_option("CODE", options.rule, "a code or a name; else a list");
 }
