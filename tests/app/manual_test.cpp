@@ -102,7 +102,8 @@ TEST(Manual, NamesEveryCommandAndNoOther) {
     if (*page.command == '\0') continue;
     Names named = all_of(read_text(page.path), page.command);
     if (std::string(page.path).ends_with(".1")) {
-      named.insert({"rule", "monitor", "config", "lsp"});  // which take no program
+      named.insert(
+          {"rule", "monitor", "config", "lsp"});  // which take no program
     }
     EXPECT_EQ(named, wanted) << page.path;
   }
