@@ -147,6 +147,9 @@ std::optional<Edit> SourceEdits::remove_rung(RungId id) const {
   if (!where.has_value() || where.file != program_.file) return std::nullopt;
   std::uint32_t begin = where.begin;
   std::uint32_t end = statement_end(id);
+  // An argument of a call (`Q => lamp`) is written as well, and no statement.
+  const bool statement = value_of(id) && all_[end - 1] == ';';
+  if (program_.language == "st" && !statement) return std::nullopt;
   std::uint32_t rest = end;
   while (rest < all_.size() && is_blank(all_[rest])) ++rest;
   std::uint32_t start = begin;
