@@ -11,9 +11,11 @@
 #include "analysis/rule.h"
 #include "app/answer_cache.h"
 #include "app/baselines.h"
+#include "app/behaviour.h"
 #include "app/check_run.h"
 #include "app/commands.h"
 #include "app/lint.h"
+#include "app/locks.h"
 #include "app/output.h"
 #include "app/select.h"
 #include "app/session.h"
@@ -126,9 +128,10 @@ class CheckRun {
  public:
   /// `emulator` may be null: violations are executed nowhere else. `cache` may
   /// be null: nothing is kept. It outlives the report, which points into it.
+  /// `lock` may be null: programs may behave as they like.
   CheckRun(Session& session, const boards::Emulator* emulator,
-           AnswerCache* cache)
-      : session_(session), emulator_(emulator), cache_(cache) {
+           AnswerCache* cache, const Lock* lock)
+      : session_(session), emulator_(emulator), cache_(cache), lock_(lock) {
     const Options& options = session.options();
     report_.sources = &session.sources();
     report_.command = options.command;
@@ -199,7 +202,7 @@ class CheckRun {
     Loaded loaded = session_.load(session_.inputs()[index], preset);
     loaded.report.fail_on = options.fail_on;
     if (!loaded.program) return std::move(loaded.report);
-    if (!may_know(options)) {
+    if (!may_know(options) || lock_ != nullptr) {
       answer(reading, loaded);
       return std::move(loaded.report);
     }
@@ -220,6 +223,14 @@ class CheckRun {
     return cache_ != nullptr && options.recheck.empty();
   }
 
+  /// Null: the lock does not have it, or there is none.
+  const LockedProgram* locked_program(const FileReport& report) const {
+    if (lock_ == nullptr) return nullptr;
+    const auto found = lock_->programs.find(
+        locked_path(report.path, session_.options().locked));
+    return found == lock_->programs.end() ? nullptr : &found->second;
+  }
+
   void select_properties(FileReport& report) const {
     if (!report_.proved) return;
     report.properties =
@@ -235,6 +246,8 @@ class CheckRun {
            make_selection(wanted.packs, wanted.rules));
     }
     if (report_.proved) {
+      const LockedProgram* const locked = locked_program(loaded.report);
+      if (locked != nullptr) add_locked(*locked, loaded.report);
       const PropertySet all = loaded.report.properties;
       select_properties(loaded.report);
       FileReport& report = loaded.report;
@@ -246,6 +259,7 @@ class CheckRun {
                    : verify(*loaded.program, report.properties, some);
       };
       prove(*loaded.program, all, report, session_.options(), options, decide);
+      if (lock_ != nullptr) compare_locked(locked, report);
       if (emulator_ != nullptr) {
         replay(*loaded.program, *emulator_, options.budget.seconds,
                loaded.report);
@@ -256,6 +270,7 @@ class CheckRun {
   Session& session_;
   const boards::Emulator* emulator_;
   AnswerCache* cache_;
+  const Lock* lock_;
   std::vector<Reading> readings_;
   Report report_;
   std::atomic<std::size_t> next_ = 0;
@@ -274,7 +289,7 @@ void warn_of_cache(const AnswerCache& cache) {
 }  // namespace
 
 Report lint_inputs(Session& session) {
-  CheckRun run(session, nullptr, nullptr);
+  CheckRun run(session, nullptr, nullptr, nullptr);
   return std::move(run.run());
 }
 
@@ -299,7 +314,13 @@ int run_check(const Options& options) {
     return usage_error(*error);
   }
   AnswerCache* const kept = std::get<std::unique_ptr<AnswerCache>>(cache).get();
-  CheckRun run(session, emulator ? &*emulator : nullptr, kept);
+  std::variant<Lock, std::string> lock;
+  if (!options.locked.empty()) lock = load_lock(options.locked);
+  if (const auto* error = std::get_if<std::string>(&lock)) {
+    return usage_error(*error);
+  }
+  CheckRun run(session, emulator ? &*emulator : nullptr, kept,
+               options.locked.empty() ? nullptr : std::get_if<Lock>(&lock));
   Report& report = run.run();
   if (baselines) baselines->apply(report);
   int status = emit(report, options);

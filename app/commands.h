@@ -9,6 +9,7 @@ int run_check(const Options& options);  // check, lint and prove
 int run_lint(const Options& options);
 int run_bound(const Options& options);
 int run_equiv(const Options& options);
+int run_lock(const Options& options);
 int run_lower(const Options& options);
 int run_export(const Options& options);
 int run_simulation(const Options& options);

@@ -24,7 +24,7 @@ constexpr Command kCommands[] = {
     {"export", run_export}, {"bound", run_bound},
     {"upload", run_upload}, {"monitor", run_monitor},
     {"config", run_config}, {"baseline", run_baseline},
-    {"lsp", run_lsp},
+    {"lsp", run_lsp},       {"lock", run_lock},
 };
 
 int run(int argc, char** argv) {

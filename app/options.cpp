@@ -9,6 +9,7 @@
 #include <string_view>
 #include <system_error>
 
+#include "app/lock_file.h"
 #include "app/version.h"
 #include "base/text.h"
 #include "boards/emulator.h"
@@ -91,6 +92,9 @@ void check_texts(const RawOptions& raw, Options& options) {
   options.fail_on = parse_severity("--fail-on", raw.fail_on);
   options.colour = parse_colour(raw.colour);
   options.self_check = parse_switch("--self-check", raw.self_check);
+  if (!options.locked.empty() && !options.properties.empty()) {
+    refuse("--locked", "--property", "of use with it: all is compared");
+  }
   if (raw.quiet && raw.verbose) refuse("--quiet", "-v", "together with it");
   if (raw.quiet) options.detail = TextOptions::Detail::Quiet;
   if (raw.verbose) options.detail = TextOptions::Detail::Verbose;
@@ -281,8 +285,17 @@ void add_server(CLI::App& app) {
 }
 
 void add_commands(CLI::App& app, RawOptions& raw, Options& options) {
-  add_files(add_command(app, "check", "findings and proofs, one report"),
-            options, 1, kMany);
+  CLI::App* check =
+      add_command(app, "check", "findings and proofs, one report");
+  add_files(check, options, 1, kMany);
+  check->add_flag(fmt::format("--locked{{{}}}", kLockName), options.locked,
+                  "behaviour is as in the lock, or in --locked=FILE");
+  CLI::App* lock =
+      add_command(app, "lock", "write down what is proved of programs");
+  add_files(lock, options, 1, kMany);
+  lock->add_option("-o,--output", options.output, "the lock (rungproof.lock)");
+  lock->add_flag("--update", options.update,
+                 "write it anew, and say what has changed");
   CLI::App* lint = add_command(app, "lint", "findings only");
   add_files(lint, options, 1, kMany);
   lint->add_flag("--fix", options.fix,
@@ -342,9 +355,9 @@ void add_commands(CLI::App& app, RawOptions& raw, Options& options) {
 }
 
 constexpr std::string_view kCommandNames[] = {
-    "check",  "lint", "prove",  "equiv",   "bound",
-    "lower",  "run",  "export", "render",  "baseline",
-    "config", "rule", "upload", "monitor", "lsp"};
+    "check", "lint",   "prove",   "equiv",    "bound",  "lower",
+    "run",   "export", "render",  "baseline", "config", "lock",
+    "rule",  "upload", "monitor", "lsp"};
 
 /// CLI11 would say that a command is missing, and not which ones there are.
 std::optional<std::string> unknown_command(int argc, char** argv) {

@@ -72,6 +72,9 @@ struct Options {
   bool settled = false;
   std::string revision;  // compare with it: --git REV
 
+  std::string locked;   // check: the lock to compare with; empty: none
+  bool update = false;  // lock
+
   std::string question;  // bound: "P -> Q"
 
   bool inject_wrong_invariant = false;
@@ -100,6 +103,7 @@ bool is_given(const Options& options, std::string_view option);
 
 /// Exit codes of the program; interfaces.md has what they mean.
 inline constexpr int kExitUsage = 2;
+inline constexpr int kExitOpen = 3;
 inline constexpr int kExitInternal = 4;
 
 /// The options, or the exit code after help, a version or an error was

@@ -141,6 +141,8 @@ std::string explain_violation(const FileReport& file,
                               const ObligationResult& result,
                               const Cones& cones) {
   const Obligation& obligation = result.obligation;
+  // Not a run of this program, but what it was before.
+  if (obligation.kind == "locked") return result.reason;
   const Property* property = property_of(file, obligation);
   std::string clause =
       property == nullptr ? "" : broken_clause(*property, obligation);

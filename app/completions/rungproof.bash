@@ -3,7 +3,7 @@
 
 _rungproof() {
   local current=${COMP_WORDS[COMP_CWORD]} previous=${COMP_WORDS[COMP_CWORD-1]}
-  local commands="check lint prove equiv bound lower export run render baseline config rule upload monitor lsp"
+  local commands="check lint prove equiv bound lock lower export run render baseline config rule upload monitor lsp"
   local common="--help --version --format --scan --semantics --rollover --stable-inputs --pou --dialect
     --language --props --timeout --engine --jobs --fail-on --color --quiet
     --verbose --property --self-check --recheck --certificates --map
@@ -50,6 +50,8 @@ _rungproof() {
           prove) common+=" --sweep --replay-on --traces" ;;
           baseline) common+=" --accept-new" ;;
           equiv) common+=" --rung --delay --settled --git" ;;
+          check) common+=" --locked" ;;
+          lock) common+=" --output --update" ;;
           lower) common+=" --to --output --binary --header --report" ;;
           export) common+=" --to --output" ;;
           run) common+=" --stimulus --scans --dt --out" ;;

@@ -1,12 +1,13 @@
 # fish completion of rungproof; tests/app/manual_test.cpp compares it with the
 # options that the program has.
 
-set -l commands check lint prove equiv bound lower export run render baseline config rule upload monitor lsp
+set -l commands check lint prove equiv bound lock lower export run render baseline config rule upload monitor lsp
 complete -c rungproof -f -n "not __fish_seen_subcommand_from $commands" -a check -d 'findings and proofs, one report'
 complete -c rungproof -f -n "not __fish_seen_subcommand_from $commands" -a lint -d 'findings only'
 complete -c rungproof -f -n "not __fish_seen_subcommand_from $commands" -a prove -d 'properties only'
 complete -c rungproof -f -n "not __fish_seen_subcommand_from $commands" -a equiv -d 'are two programs the same?'
 complete -c rungproof -f -n "not __fish_seen_subcommand_from $commands" -a bound -d 'how long from P to Q'
+complete -c rungproof -f -n "not __fish_seen_subcommand_from $commands" -a lock -d 'write down what is proved of programs'
 complete -c rungproof -f -n "not __fish_seen_subcommand_from $commands" -a lower -d 'write a program in another language'
 complete -c rungproof -f -n "not __fish_seen_subcommand_from $commands" -a export -d 'what is to be proved, for other model checkers'
 complete -c rungproof -f -n "not __fish_seen_subcommand_from $commands" -a run -d 'simulate'
@@ -51,6 +52,9 @@ complete -c rungproof -n '__fish_seen_subcommand_from lsp' -l stdio -d 'what edi
 complete -c rungproof -n '__fish_seen_subcommand_from lint' -l fix -d 'apply fixes that are proved'
 complete -c rungproof -n '__fish_seen_subcommand_from lint' -l diff -d 'print what --fix would change'
 complete -c rungproof -l map -x -d 'a=b: signal a of the first is b'
+complete -c rungproof -n '__fish_seen_subcommand_from check' -l locked -d 'behaviour is as in rungproof.lock'
+complete -c rungproof -n '__fish_seen_subcommand_from lock' -s o -l output -r -F -d 'the lock'
+complete -c rungproof -n '__fish_seen_subcommand_from lock' -l update -d 'write it anew'
 complete -c rungproof -n '__fish_seen_subcommand_from prove' -l sweep -d 'under every preset of semantics that fits'
 complete -c rungproof -n '__fish_seen_subcommand_from prove' -l replay-on -x -a 'uno yun arm' -d 'execute violations on it'
 complete -c rungproof -n '__fish_seen_subcommand_from prove' -l traces -r -F -d 'write runs into it'
