@@ -361,6 +361,7 @@ const std::vector<OptionRow>& option_rows() {
       {"--certificates certificates", Effect::Apart},
       {"--cache c", Effect::Shows},
       {"--explain", Effect::Apart},
+      {"--traces traces", Effect::Asks, "prove"},
       {"--map a=b", Effect::Asks},  // of no effect on these commands
       {"--locked", Effect::Apart},
       {"--sweep", Effect::Selects, "prove"},
