@@ -284,7 +284,8 @@ void add_server(CLI::App& app) {
       ->description("what editors say; there is no other way");
 }
 
-void add_commands(CLI::App& app, RawOptions& raw, Options& options) {
+/// The command that reports all, and the lock that it may compare with.
+void add_check(CLI::App& app, Options& options) {
   CLI::App* check =
       add_command(app, "check", "findings and proofs, one report");
   add_files(check, options, 1, kMany);
@@ -296,6 +297,10 @@ void add_commands(CLI::App& app, RawOptions& raw, Options& options) {
   lock->add_option("-o,--output", options.output, "the lock (rungproof.lock)");
   lock->add_flag("--update", options.update,
                  "write it anew, and say what has changed");
+}
+
+void add_commands(CLI::App& app, RawOptions& raw, Options& options) {
+  add_check(app, options);
   CLI::App* lint = add_command(app, "lint", "findings only");
   add_files(lint, options, 1, kMany);
   lint->add_flag("--fix", options.fix,
