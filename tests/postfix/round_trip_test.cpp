@@ -115,7 +115,9 @@ TEST(PostfixRoundTrip, ThePlantIsLeftOutWithANote) {
 // Where a program came from changes nothing: what the machine has not is
 // refused where it stands.
 TEST(PostfixLowering, WritesNoDialectOfAnotherLanguage) {
-  Program program = program_of("Q0 = I0 || Q0;");
+  Program program = program_of(
+      "postfix 1\ndialect yun\nevaluation strict\nscan 1..100 ms\n"
+      "input bit a\noutput bit q\nrungs\na q || =q\n");
   program.dialect = "logix";
   const std::string text = lowered_text(program);
   EXPECT_NE(text.find("\ndialect none\n"), std::string::npos) << text;
