@@ -3,8 +3,8 @@
 #include <string>
 #include <unordered_set>
 
+#include "analysis/rebuilt.h"
 #include "smt/bit_blast.h"
-#include "smt/rebuilt.h"
 #include "smt/term_order.h"
 
 namespace rung {

@@ -5,7 +5,7 @@
 #include <unordered_map>
 #include <utility>
 
-#include "smt/rebuilt.h"
+#include "analysis/rebuilt.h"
 
 namespace rung {
 namespace {

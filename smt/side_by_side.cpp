@@ -9,7 +9,7 @@
 #include <thread>
 #include <utility>
 
-#include "smt/rebuilt.h"
+#include "analysis/rebuilt.h"
 
 namespace rung {
 namespace {

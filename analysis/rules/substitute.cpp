@@ -2,42 +2,9 @@
 
 #include <algorithm>
 
+#include "analysis/rebuilt.h"
+
 namespace rung {
-namespace {
-
-/// The operator of `expr` over other operands.
-ExprId rebuild(ExprArena& exprs, ExprId id, const Expr& expr, ExprId a,
-               ExprId b, ExprId c) {
-  switch (expr.op) {
-    case ExprOp::Constant:
-    case ExprOp::Variable:
-      return id;
-    case ExprOp::Not:
-      return exprs.negation(a);
-    case ExprOp::And:
-      return exprs.conjunction(a, b);
-    case ExprOp::Xor:
-      return exprs.exclusive_or(a, b);
-    case ExprOp::Equal:
-      return exprs.equal(a, b);
-    case ExprOp::Less:
-      return exprs.less(a, b);
-    case ExprOp::Add:
-      return exprs.add(a, b);
-    case ExprOp::Multiply:
-      return exprs.multiply(a, b);
-    case ExprOp::Divide:
-      return exprs.divide(a, exprs[b].value);
-    case ExprOp::Wrap16:
-      return exprs.wrap16(a);
-    case ExprOp::Ite:
-      return exprs.ite(a, b, c);
-  }
-  return id;
-}
-
-}  // namespace
-
 std::vector<ExprId> substitute(
     TransitionSystem& ts, const std::vector<ExprId>& roots,
     const std::unordered_map<std::uint32_t, ExprId>& replacement) {
@@ -66,8 +33,7 @@ std::vector<ExprId> substitute(
                            : replacement.end();
     made[i] = found != replacement.end()
                   ? found->second
-                  : rebuild(ts.exprs, ExprId(i), expr, of(expr.a), of(expr.b),
-                            of(expr.c));
+                  : rebuilt(ts.exprs, expr, of(expr.a), of(expr.b), of(expr.c));
   }
   std::vector<ExprId> results;
   results.reserve(roots.size());

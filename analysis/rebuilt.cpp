@@ -1,4 +1,4 @@
-#include "smt/rebuilt.h"
+#include "analysis/rebuilt.h"
 
 namespace rung {
 
