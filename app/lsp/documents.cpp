@@ -70,7 +70,7 @@ Json Server::did_open(const Json& params) {
   const Json& item = params.at("textDocument");
   auto document = std::make_unique<Document>();
   document->uri = item.at("uri").get<std::string>();
-  document->version = item.value("version", std::int64_t{0});
+  document->version = version_in(item, 0);
   document->text = TextDocument(item.at("text").get<std::string>());
   Document& opened = *document;
   documents_[opened.uri] = std::move(document);
@@ -94,9 +94,7 @@ Json Server::did_change(const Json& params) {
     text.replace(begin, end, inserted);
   }
   document.version =
-      params.at("textDocument").value("version", Json()).is_number_integer()
-          ? params["textDocument"]["version"].get<std::int64_t>()
-          : document.version + 1;
+      version_in(params.at("textDocument"), document.version + 1);
   document.text = std::move(text);
   text_changed(document);
   return nullptr;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 
 #include "app/select.h"
 #include "reports/cone.h"
@@ -49,9 +50,24 @@ Json location_of(const View& view, SourceRange where) {
   return {{"uri", view.uri}, {"range", range_of(view, where)}};
 }
 
+namespace {
+
+std::uint32_t number_in(const Json& json, const char* name) {
+  // Throws at what is no natural number: 1e300 is in no integer's range.
+  const auto number = json.at(name).get_ref<const Json::number_unsigned_t&>();
+  return static_cast<std::uint32_t>(std::min<Json::number_unsigned_t>(
+      number, std::numeric_limits<std::uint32_t>::max()));
+}
+
+}  // namespace
+
 Position position_in(const Json& json) {
-  return {json.at("line").get<std::uint32_t>(),
-          json.at("character").get<std::uint32_t>()};
+  return {number_in(json, "line"), number_in(json, "character")};
+}
+
+std::int64_t version_in(const Json& document, std::int64_t otherwise) {
+  const Json version = document.value("version", Json());
+  return version.is_number_integer() ? version.get<std::int64_t>() : otherwise;
 }
 
 std::uint32_t offset_in(const View& view, const Json& position) {

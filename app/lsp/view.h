@@ -32,6 +32,8 @@ Json to_json(Position position);
 Json range_of(const View& view, SourceRange where);
 Json location_of(const View& view, SourceRange where);
 Position position_in(const Json& json);  // throws what the library throws
+/// The version of a document; `otherwise` where it says none.
+std::int64_t version_in(const Json& document, std::int64_t otherwise);
 std::uint32_t offset_in(const View& view, const Json& position);
 
 /// The results of a property, of all its parts.
